@@ -155,7 +155,7 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 	@$(NINJA) bench_engine bench_quadrature scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
-DESIGNS := target target_at_jump robust front indices
+DESIGNS := target target_at_jump robust indices
 bench: build ## benchmarks: ratios against peers in the same run, into docs/generated/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed

@@ -54,34 +54,6 @@ Constraint read_constraint(const Node& node) {
   return constraint;
 }
 
-void read_second_model(const Node& block, Design& design) {
-  for (const auto& [name, node] : block.members()) {
-    const sweep::Sweepable& choice = experiment::require_sweepable(node, name);
-    if (choice.options.empty()) node.fail(name + " is a number; a second model differs by a choice");
-    if (!design.second_choice.empty()) node.fail("only one choice may differ");
-    if (Node(node.document(), "/sweep").has(name))
-      node.fail(name + " is varied by the sweep, too; remove one of them");
-    design.second_choice = name;
-    design.second_option = experiment::option_index(node, choice, node.value());
-  }
-}
-
-// Throws InputError if the second model of the design is no valid experiment, or is the first in all
-// scenarios.
-void check_second_model(const Node& choice, const Experiment& experiment, const Design& design) {
-  try {
-    const Sweep first = experiment.sweep.without(sweep::kSample),
-                second = second_model_of(experiment, design).sweep.without(sweep::kSample);
-    for (std::size_t scenario = 0; scenario < first.size(); ++scenario)
-      if (!same_effect(first.point(scenario), second.point(scenario))) return;
-  } catch (const InputError& error) {
-    choice.fail(
-        fmt::format("{} needs another experiment than this one: {}", choice.value().dump(), error.what()));
-  }
-  choice.fail(fmt::format("{} is the first model, too: give another choice, or remove the second model",
-                          choice.value().dump()));
-}
-
 // Reads the steps of a design's variables. Throws InputError for another name, and for a step that leaves no
 // value between the bounds.
 void read_steps(const Node& block, Design& design) {
@@ -123,8 +95,7 @@ Design read_design(const Experiment& experiment) {
   static_cast<experiment::Ranges&>(design) = experiment.ranges;
   const bool tolerances = !design.tolerances.empty();
   design.tolerance_samples = tolerances ? block.get("tolerance_samples", std::size_t(16)) : 0;
-  for (const Node& objective : block["objectives"].elements())
-    design.objectives.push_back(read_objective(objective, tolerances));
+  design.objective = read_objective(block["objective"], tolerances);
   for (const Node& constraint : block["constraints"].elements())
     design.constraints.push_back(read_constraint(constraint));
   const auto limits_clearance = [](const Constraint& c) { return c.variable == kClearance; };
@@ -140,22 +111,10 @@ Design read_design(const Experiment& experiment) {
   for (const experiment::Range& range : design.variables)
     if (const auto value = experiment::own_value(*experiment.source, range.name))
       design.start.emplace(range.name, *value);
-  read_second_model(block["second_model"], design);
   if (load.has("z_0") && design.jump_margin > 0)
     block["constraints"].fail("jump_margin needs a load R_n: at a given gap, no gap jumps");
   if (load.has("trace")) block.fail("cannot be combined with a trace of R_n(z_0)");
-  if (!design.second_choice.empty())
-    check_second_model(block["second_model"][design.second_choice], experiment, design);
   return design;
-}
-
-Experiment second_model_of(const Experiment& experiment, const Design& design) {
-  Json document = *experiment.document;
-  const sweep::Sweepable& choice = *sweep::find_sweepable(design.second_choice);
-  document["sweep"][design.second_choice]["values"] = {choice.text(design.second_option)};
-  document["design"].erase("second_model");
-  for (const char* key : {"checks", "checks_for_each", "locate_jumps"}) document.erase(key);
-  return experiment::made_experiment(document);
 }
 
 }  // namespace bristle::design

@@ -75,27 +75,21 @@ constexpr ShapeQuantity kShape[] = {{kClearance, clearance}, {"slenderness", sle
 // The block "design" of an experiment. The points of the sweep are its scenarios (docs/your-own-brush.md).
 struct Design : experiment::Ranges {
   std::size_t tolerance_samples;  // 0 without tolerances
-  std::vector<Objective> objectives;
+  Objective objective;
   std::vector<Constraint> constraints;
   std::size_t budget;  // trials
   std::uint64_t seed;
   double least_gain;  // over the start, relative to its value, below which the start is as good
   std::map<std::string, double> round_to;  // steps in which variables can be made; others are exact
   std::map<std::string, double> start;     // the experiment's own values of the variables that have one
-  std::string second_choice;  // of the model, for another computation of the best trial; empty: none
-  double second_option = 0;
 };
 
 // Returns the least and the greatest n for which n times the step lies within the bounds of the range, up to
 // rounding; the least is greater if there is none.
 std::pair<double, double> multiples_within(const experiment::Range& range, double step);
 
-// Reads the block, which the experiment must have. Throws InputError for a mistake in it, and for a second
-// model that is no valid experiment or is the first model.
+// Reads the block, which the experiment must have. Throws InputError for a mistake in it.
 Design read_design(const Experiment& experiment);
-
-// Returns the experiment of a design under its second model: the choice is an axis of one word.
-Experiment second_model_of(const Experiment& experiment, const Design& design);
 
 }  // namespace design
 }  // namespace bristle

@@ -24,14 +24,13 @@ namespace {
 
 constexpr std::size_t kProfileValues = 25;
 
-// Throws InputError if an objective or a constraint names a variable that the result of this experiment
+// Throws InputError if the objective or a constraint names a variable that the result of this experiment
 // lacks.
 void require_variables(const Experiment& experiment, const Design& design) {
   const json::Node block(*experiment.source, "/design");
   std::vector<std::string> shape;
   for (const ShapeQuantity& quantity : kShape) shape.push_back(quantity.name);
-  for (std::size_t i = 0; i < design.objectives.size(); ++i)
-    run::require_variable(experiment, block["objectives"][i], design.objectives[i].variable);
+  run::require_variable(experiment, block["objective"], design.objective.variable);
   for (std::size_t i = 0; i < design.constraints.size(); ++i)
     if (const std::string& name = design.constraints[i].variable; name != kJumpMargin)
       run::require_variable(experiment, block["constraints"][i]["variable"], name, shape);
@@ -117,7 +116,7 @@ class Search {
     const std::string details = details_of(trials_, found);
     if (!details.empty()) {
       entries[results::kDesignDetails] = details;
-      text += fmt::format("`bristle info {}` has the shares of the tolerances, the front and other optima\n",
+      text += fmt::format("`bristle info {}` has the shares of the tolerances and other optima\n",
                           shell_quoted(options_.output));
     }
     const run::Summary summary = run::write_result(all, options_.output, run::KeyedPoints(all.sweep, points),
@@ -151,12 +150,8 @@ class Search {
       }
       return scores;
     };
-    const std::size_t dimensions = design_.variables.size();
-    const Objective& first = design_.objectives.front();
-    if (design_.objectives.size() > 1) search_front(dimensions, design_.budget, design_.seed, evaluate);
-    else
-      out.optima =
-          search_minima(dimensions, design_.budget, design_.seed, evaluate, first.goal == Goal::target);
+    out.optima = search_minima(design_.variables.size(), design_.budget, design_.seed, evaluate,
+                               design_.objective.goal == Goal::target);
     searching_ = false;
     if (design_.start.size() == design_.variables.size()) add_start(out);
     choose(out);
@@ -182,14 +177,12 @@ class Search {
   void choose(Findings& found) const {
     std::vector<Score> scores;
     for (const Trial& trial : found.trials) scores.push_back(trials_.score_of(trial));
-    found.front = front_of(scores);
-    found.chosen = design_.objectives.size() == 1 ? found.optima : knee_of(scores, found.front);
-    found.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
+    found.chosen = found.optima;
+    found.best = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
     std::erase_if(found.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
-    if (found.chosen.empty() && !found.front.empty()) found.chosen = {found.front.front()};
-    if (const auto start = found.start_trial; start && design_.objectives.size() == 1 &&
-                                              !found.chosen.empty() &&
-                                              better(scores[*start], scores[found.chosen.front()]))
+    if (found.chosen.empty() && scores[found.best].violation == 0) found.chosen = {found.best};
+    if (const auto start = found.start_trial;
+        start && !found.chosen.empty() && better(scores[*start], scores[found.chosen.front()]))
       found.chosen.insert(found.chosen.begin(), *start);
     // If a local minimum of the distance from a target meets the target, only such minima are solutions.
     if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
@@ -201,32 +194,13 @@ class Search {
     }
   }
 
-  // Returns the trial of a front that is nearest to the best values of all objectives, relative to their
-  // ranges.
-  static std::vector<std::size_t> knee_of(const std::vector<Score>& scores,
-                                          const std::vector<std::size_t>& front) {
-    if (front.empty()) return {};
-    const auto distance = [&](std::size_t trial) {
-      double sum = 0;
-      for (std::size_t o = 0; o < scores[trial].objectives.size(); ++o) {
-        const auto value = [&](std::size_t i) { return scores[i].objectives[o]; };
-        const auto [least, most] = std::ranges::minmax(front, {}, value);
-        const double range = value(most) - value(least),
-                     share = range > 0 ? (value(trial) - value(least)) / range : 0;
-        sum += share * share;
-      }
-      return sum;
-    };
-    return {*std::ranges::min_element(front, {}, distance)};
-  }
-
-  // Locates the jump margins of all trials that are chosen or on the front. The search has judged each trial
+  // Locates the jump margins of the chosen trials and of the best one. The search has judged each trial
   // by only two neighbours per quantity, between which a jump may lie. Returns true if a trial turned out to
   // be nearer to a jump than required.
   bool locate_margins(Findings& found) {
     bool any_nearer = false;
     std::set<std::size_t> reported(found.chosen.begin(), found.chosen.end());
-    reported.insert(found.front.begin(), found.front.end());
+    if (found.trials[found.best].violation == 0) reported.insert(found.best);
     for (const std::size_t i : reported) {
       if (!located_.insert(i).second) continue;
       trials_.set_jump_margin(found.trials[i], trials_.located_margin(found.trials[i].nominal));
@@ -261,7 +235,6 @@ class Search {
       found.not_worth = {recommended(found), std::move(found.verification)};
     }
     if (found.chosen.empty() || found.chosen.front() != found.start_trial) found.not_worth.reset();
-    if (!found.chosen.empty()) compute_by_second_model(found);
   }
 
   // Returns true if the recommended brush gains nothing over the start that is worth a change: the start
@@ -272,7 +245,7 @@ class Search {
     if (meets_target(design_, recommended(found)) && !meets_target(design_, found.trials[*start]))
       return false;
     if (start_alone_violates(found)) return false;
-    return !is_worth(design_, gains_of(design_, found, recommended_outcome(found)));
+    return !is_worth(design_, *gain_of(design_, found, recommended_outcome(found)));
   }
 
   // Returns the best trial beside this one that can be made and meets the constraints or, if none meets them,
@@ -284,7 +257,8 @@ class Search {
       for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].violation == 0) valid.push_back(i);
       if (valid.empty()) return *std::ranges::min_element(all, {}, &Trial::violation);
-      Trial& best = all[best_within_errors(design_, all, valid)];
+      const auto cost_of = [&](std::size_t i) { return cost(design_.objective, all[i].objective.value); };
+      Trial& best = all[*std::ranges::min_element(valid, {}, cost_of)];
       if (design_.jump_margin > 0) trials_.set_jump_margin(best, trials_.located_margin(best.nominal));
       if (best.violation == 0) return best;
     }
@@ -309,13 +283,6 @@ class Search {
     }
   }
 
-  void compute_by_second_model(Findings& found) {
-    if (design_.second_choice.empty()) return;
-    progress_->stage("computing the recommended brush by the second model");
-    const Experiment second = second_model_of(experiment_, design_);
-    found.second = Trials(second, design_, solver()).evaluate({recommended(found).nominal}).front();
-  }
-
   const Experiment& experiment_;
   const Design& design_;
   const run::RunOptions& options_;
@@ -333,7 +300,6 @@ void validate_design(const Experiment& experiment) {
   if (experiment.ranges.empty()) return;
   const Design design = read_design(experiment);
   require_variables(experiment, design);
-  if (!design.second_choice.empty()) require_variables(second_model_of(experiment, design), design);
 }
 
 bool run_design(const Experiment& experiment, const run::RunOptions& options) {

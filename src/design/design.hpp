@@ -4,8 +4,8 @@
 
 namespace bristle::design {
 
-// Throws InputError if an objective or a constraint of the design names a variable that the result lacks, or
-// that the result of the second model lacks. Does nothing without a design.
+// Throws InputError if the objective or a constraint of the design names a variable that the result lacks.
+// Does nothing without a design.
 void validate_design(const Experiment& experiment);
 
 // Searches for the best values of the variables in the experiment's block "design". Writes all trials and the

@@ -17,7 +17,7 @@ struct Brush {
   const Outcome& outcome() const { return verification ? static_cast<const Outcome&>(*verification) : trial; }
 };
 
-// By how much an objective of a brush is better than the objective of the start.
+// By how much the objective of a brush is better than the objective of the start.
 struct Gain {
   Estimate difference;  // positive: better; the error is the sum of the errors of both
   double point_error;   // the part of the error that comes from the points, not from the number of deviations
@@ -37,10 +37,9 @@ struct Broken {
 // What a search found.
 struct Findings {
   std::vector<Trial> trials;
-  std::vector<std::size_t> optima;  // trials at which the searches of one objective ended, the best first
+  std::vector<std::size_t> optima;  // trials at which the local searches ended, the best first
   std::vector<std::size_t> chosen;  // trials: the recommended one first, then other local optima
-  std::vector<std::size_t> front;   // trials that no other surpasses
-  std::size_t nearest_miss = 0;     // trial with the least violation, if none meets the constraints
+  std::size_t best = 0;             // the best trial: with the least violation, if none meets the constraints
   // The experiment's own values, if it has one of each variable: the last trial if they are within the bounds
   // of the variables, and otherwise computed only for the comparison.
   std::optional<std::size_t> start_trial;
@@ -49,10 +48,9 @@ struct Findings {
   std::vector<Profile> profiles;  // profiles of the recommended trial, by quantity
   // Verifications of the recommended trial and of the start; none without tolerances.
   std::optional<Verification> verification, start_verification;
-  std::optional<Brush> not_worth;     // the brush that would be recommended, were the start not as good
-  std::size_t not_worth_trial = 0;    // its number
-  std::vector<SobolIndices> indices;  // indices of each objective; empty without tolerances
-  std::optional<Trial> second;        // the recommended trial with the second model
+  std::optional<Brush> not_worth;       // the brush that would be recommended, were the start not as good
+  std::size_t not_worth_trial = 0;      // its number
+  std::optional<SobolIndices> indices;  // indices of the objective; none without tolerances
 };
 
 // Returns the trial that is recommended: the rounded one, if there is one.
@@ -69,20 +67,20 @@ struct Compared {
   const Trial* trial;
 };
 
-// Returns what an engineer compares: the start, the recommended trial, the same as it can be made, and the
-// best trial of the front for each of several objectives. The pointers are into `found`.
-std::vector<Compared> compared(const Trials& trials, const Findings& found);
+// Returns what an engineer compares: the start, the recommended trial, this trial as it can be made, and the
+// brush that would be recommended were the start not as good. The pointers are into `found`.
+std::vector<Compared> compared(const Findings& found);
 
-// Returns true if some objective of two trials differs by more than the sum of the errors of its points. The
+// Returns true if the objectives of two trials differ by more than the sum of the errors of their points. The
 // deviations are the same for all trials: that they are few makes each value uncertain, not the difference.
 bool differ(const Trial& a, const Trial& b);
 
-// Returns the gain of a brush over the start in each objective: from the verifications of both, or from the
-// trials if there are none. Empty without a start.
-std::vector<Gain> gains_of(const Design& design, const Findings& found, const Outcome& brush);
+// Returns the gain of a brush over the start: from the verifications of both, or from the trials if there are
+// none. None without a start.
+std::optional<Gain> gain_of(const Design& design, const Findings& found, const Outcome& brush);
 
 // Returns true if a gain exceeds its point error and the design's least gain.
-bool is_worth(const Design& design, const std::vector<Gain>& gains);
+bool is_worth(const Design& design, const Gain& gain);
 
 // Returns the verification of the recommended trial, or the trial if there is none.
 const Outcome& recommended_outcome(const Findings& found);
@@ -96,11 +94,6 @@ std::vector<Broken> broken_constraints(const Design& design, const Findings& fou
 
 // Returns true if a trial that meets the constraints differs from the start, see differ().
 bool variables_matter(const Findings& found, const Trial& start);
-
-// Returns the best of the trials with these numbers: among those that equal the best in an objective within
-// the sum of the errors, the next objective decides. The list must not be empty.
-std::size_t best_within_errors(const Design& design, const std::vector<Trial>& trials,
-                               std::vector<std::size_t> list);
 
 // Returns the column of a variable of the design, or of another number that a sweep can vary.
 results::Column column_of(const std::string& quantity);

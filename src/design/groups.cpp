@@ -24,22 +24,20 @@ Column integer(const std::string& name, const std::string& meaning) {
   return {name, meaning, "", "", results::Number::integer};
 }
 
-// Adds the columns objective_1, objective_1_err, ... to a table. of(row) returns the estimates of all
-// objectives. nominal: the estimates are nominal values, whatever statistic counts over the tolerances.
+// Adds the columns objective and objective_err to a table. of(row) returns the estimate of the objective.
+// nominal: the estimates are nominal values, whatever statistic counts over the tolerances.
 template <class Of>
-void add_objectives(Dataset& table, const Trials& trials, const Of& of, bool nominal = false) {
+void add_objective(Dataset& table, const Trials& trials, const Of& of, bool nominal = false) {
   const std::vector<results::ResultVariable> variables = results::result_variables(trials.sweep());
-  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o) {
-    Objective objective = trials.design().objectives[o];
-    if (nominal) objective.of = Statistic::nominal;
-    Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
-    column.name = fmt::format("objective_{}", o + 1);
-    column.long_name = fmt::format("{}: {}", objective.text(), column.long_name);
-    table.add(column, [&](std::size_t row) { return of(row)[o].value; });
-    column.name += "_err";
-    column.long_name = "error of " + objective.variable;
-    table.add(column, [&](std::size_t row) { return of(row)[o].error; });
-  }
+  Objective objective = trials.design().objective;
+  if (nominal) objective.of = Statistic::nominal;
+  Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
+  column.name = "objective";
+  column.long_name = fmt::format("{}: {}", objective.text(), column.long_name);
+  table.add(column, [&](std::size_t row) { return of(row).value; });
+  column.name += "_err";
+  column.long_name = "error of " + objective.variable;
+  table.add(column, [&](std::size_t row) { return of(row).error; });
 }
 
 // Adds the columns that all lists of trials have. trial(row) returns the trial of a row.
@@ -47,15 +45,16 @@ template <class Of>
 void add_trials(Dataset& table, const Trials& trials, const Of& trial) {
   for (const std::string& quantity : trials.design().quantities())
     table.add(column_of(quantity), [&](std::size_t row) { return trial(row).nominal.at(quantity); });
-  add_objectives(table, trials, [&](std::size_t row) { return trial(row).objectives; });
+  add_objective(table, trials, [&](std::size_t row) { return trial(row).objective; });
   for (std::size_t c = 0; c < trials.design().constraints.size(); ++c)
     table.add({fmt::format("constraint_{}", c + 1), trials.design().constraints[c].text(), "", ""},
               [&](std::size_t row) { return trial(row).constraints[c]; });
 }
 
-Dataset list_of(const std::string& name, const std::string& item, const std::string& meaning,
-                const Trials& trials, const Findings& found, const std::vector<std::size_t>& list) {
-  Dataset out = table(name, results::row_numbers(item, meaning, list.size()));
+Dataset best(const Trials& trials, const Findings& found) {
+  const std::vector<std::size_t>& list = found.chosen;
+  Dataset out =
+      table("best", results::row_numbers("solution", "0: recommended; then other local optima", list.size()));
   out.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
   add_trials(out, trials, [&](std::size_t i) -> const Trial& { return found.trials[list[i]]; });
   return out;
@@ -72,14 +71,12 @@ Dataset all_trials(const Trials& trials, const Findings& found) {
       [&](std::size_t i) { return trial(i).violation; });
   out.add(integer("first_row", "number in the sample of the point with the nominal values"),
           [&](std::size_t i) { return i * trials.rows_of_a_trial(); });
-  out.add(integer("missing", "points without a value of an objective"),
+  out.add(integer("missing", "points without a value of the objective"),
           [&](std::size_t i) { return trial(i).missing; });
   out.add(integer("ambiguous", "points whose load another gap carries as well"),
           [&](std::size_t i) { return trial(i).ambiguous; });
-  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o)
-    out.add(integer(fmt::format("scenario_{}", o + 1),
-                    fmt::format("scenario in which objective_{} is worst", o + 1)),
-            [&](std::size_t i) { return trial(i).scenarios[o]; });
+  out.add(integer("scenario", "scenario in which the objective is worst"),
+          [&](std::size_t i) { return trial(i).scenario; });
   return out;
 }
 
@@ -87,19 +84,16 @@ Dataset all_trials(const Trials& trials, const Findings& found) {
 void add_gains(Dataset& table, const Trials& trials, const Findings& found,
                const std::vector<const Outcome*>& brushes) {
   const Design& design = trials.design();
-  for (std::size_t o = 0; start_of(found) && o < design.objectives.size(); ++o) {
-    const auto gain = [&](std::size_t row) { return gains_of(design, found, *brushes[row])[o].relative(); };
-    table.add(
-        {fmt::format("gain_{}", o + 1),
-         fmt::format("gain over the start, relative to its value: {}", design.objectives[o].text()), "", ""},
-        [&](std::size_t row) { return gain(row).value; });
-    table.add({fmt::format("gain_{}_err", o + 1), "error of the gain: the sum of the errors of both", "", ""},
-              [&](std::size_t row) { return gain(row).error; });
-  }
+  if (!start_of(found)) return;
+  const auto gain = [&](std::size_t row) { return gain_of(design, found, *brushes[row])->relative(); };
+  table.add({"gain", "gain over the start, relative to its value: " + design.objective.text(), "", ""},
+            [&](std::size_t row) { return gain(row).value; });
+  table.add({"gain_err", "error of the gain: the sum of the errors of both", "", ""},
+            [&](std::size_t row) { return gain(row).error; });
 }
 
 Dataset comparison(const Trials& trials, const Findings& found) {
-  const std::vector<Compared> all = compared(trials, found);
+  const std::vector<Compared> all = compared(found);
   std::vector<std::string> names;
   for (const Compared& one : all) names.push_back(one.name);
   Dataset out = table("comparison", results::coordinates("brush", "brushes to compare", names));
@@ -157,13 +151,13 @@ Dataset verification_group(const Trials& trials, const Findings& found) {
   add_row("start", found.start_verification);
   if (found.not_worth) add_row("best_other", found.not_worth->verification);
   Dataset out = table("verification", results::coordinates("brush", "brushes that are verified", names));
-  add_objectives(out, trials, [&](std::size_t row) { return all[row]->objectives; });
+  add_objective(out, trials, [&](std::size_t row) { return all[row]->objective; });
   add_gains(out, trials, found, {all.begin(), all.end()});
   const auto add = [&](const char* name, const char* meaning, std::size_t Verification::*member) {
     out.add(integer(name, meaning), [&](std::size_t row) { return all[row]->*member; });
   };
   add("brushes", "brushes as made, each with its deviations", &Verification::brushes);
-  add("missing", "brushes without a value of an objective or a constraint in a scenario",
+  add("missing", "brushes without a value of the objective or a constraint in a scenario",
       &Verification::missing);
   add("unloaded", "brushes of which no gap carries the load in a scenario", &Verification::unloaded);
   add("violated", "brushes with values beyond a constraint", &Verification::violated);
@@ -174,22 +168,15 @@ Dataset verification_group(const Trials& trials, const Findings& found) {
 
 Dataset profile_group(const Trials& trials, const Profile& p) {
   Dataset out = table("profile_" + p.quantity, results::coordinates(column_of(p.quantity), p.values));
-  add_objectives(
+  add_objective(
       out, trials, [&](std::size_t i) { return p.objectives[i]; }, true);
   return out;
 }
 
 Dataset indices_group(const Trials& trials, const Findings& found) {
-  std::vector<std::string> objectives;
-  // No texts: the words of a flag are separated by spaces.
-  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o)
-    objectives.push_back(fmt::format("objective_{}", o + 1));
-  Dataset out =
-      table("indices",
-            results::coordinates(
-                "objective", "nominal value whose variance over the tolerances is shared out", objectives));
-  out.add_dimension(results::coordinates("input", "quantity with a tolerance", trials.design().tolerated()));
-  run::add_indices(out, found.indices);
+  Dataset out = table(
+      "indices", results::coordinates("input", "quantity with a tolerance", trials.design().tolerated()));
+  run::add_indices(out, {*found.indices});
   return out;
 }
 
@@ -198,25 +185,14 @@ Dataset indices_group(const Trials& trials, const Findings& found) {
 std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
   std::vector<Dataset> groups = {all_trials(trials, found)};
   if (found.chosen.empty()) return groups;
-  groups.push_back(
-      list_of("front", "member", "number on the front, by the first objective", trials, found, found.front));
-  groups.push_back(
-      list_of("best", "solution", "0: recommended; then other local optima", trials, found, found.chosen));
+  groups.push_back(best(trials, found));
   groups.push_back(comparison(trials, found));
   groups.push_back(margins(found));
   for (const Profile& p : found.profiles) groups.push_back(profile_group(trials, p));
   if (found.verification) groups.push_back(verification_group(trials, found));
   if (const auto broken = broken_constraints(trials.design(), found); !broken.empty())
     groups.push_back(violated(broken));
-  if (!found.indices.empty()) groups.push_back(indices_group(trials, found));
-  if (found.second) {
-    Dataset& second = groups.emplace_back(table(
-        "second",
-        results::coordinates(
-            trials.design().second_choice, "second model of the recommended trial",
-            {sweep::find_sweepable(trials.design().second_choice)->text(trials.design().second_option)})));
-    add_objectives(second, trials, [&](std::size_t) { return found.second->objectives; });
-  }
+  if (found.indices) groups.push_back(indices_group(trials, found));
   return groups;
 }
 

@@ -95,7 +95,7 @@ class LocalSearch {
   std::optional<Point> unknown_;
 };
 
-// Minimises one objective. Keeps all trials and the local searches.
+// Minimises the objective. Keeps all trials and the local searches.
 class MinimumSearch {
  public:
   MinimumSearch(std::size_t dimensions, std::uint64_t seed, const Evaluate& evaluate)
@@ -112,7 +112,7 @@ class MinimumSearch {
     add({sample.begin() + std::ptrdiff_t(sampled_), sample.end()});
     sampled_ = sample.size();
     for (const Score& score : scores_)
-      if (score.violation == 0) worst_ = std::max(worst_, score.objectives.front());
+      if (score.violation == 0) worst_ = std::max(worst_, score.objective);
     searched_.resize(points_.size(), false);
     start_searches(std::max<std::size_t>(1, trials / 2 / of_a_search));
     while (points_.size() < trials && ask(trials - points_.size())) {
@@ -146,7 +146,7 @@ class MinimumSearch {
   // others.
   double value(std::size_t i) const {
     const Score& score = scores_[i];
-    if (score.violation == 0) return score.objectives.front();
+    if (score.violation == 0) return score.objective;
     return std::isfinite(score.violation) ? worst_ + (1 + std::abs(worst_)) * (1 + score.violation)
                                           : HUGE_VAL;
   }

@@ -18,7 +18,7 @@ namespace {
 using sweep::Axis;
 
 // Deviations of the recommended trial: at least so many, and twice as many as long as the relative error of
-// an objective exceeds kVerificationError and doubling has reduced it by a twentieth.
+// the objective exceeds kVerificationError and doubling has reduced it by a twentieth.
 constexpr std::size_t kVerification = 256, kMostVerification = 1024;
 constexpr double kVerificationError = 0.01, kLeastGain = 0.95;
 // Number of points on each side of the nominal value between which a reported jump margin is located.
@@ -42,22 +42,20 @@ double excess(const Constraint& constraint, const Computed& point) {
   return std::isnan(value) ? kInfinity : constraint.excess(value);
 }
 
-// Returns the greatest error of these estimates relative to their values; 0 if none has a value.
-double greatest_error(const std::vector<Estimate>& estimates) {
-  double out = 0;
-  for (const Estimate& estimate : estimates)
-    if (estimate.value != 0) out = std::fmax(out, estimate.error / std::abs(estimate.value));
-  return out;
+// Returns the error of an estimate relative to its value; 0 without a value.
+double relative_error(const Estimate& estimate) {
+  return estimate.value == 0 ? 0 : std::fmax(0, estimate.error / std::abs(estimate.value));
 }
 
 }  // namespace
 
 bool meets_target(const Design& design, const Trial& trial) {
-  const Objective& first = design.objectives.front();
-  if (first.goal != Goal::target || design.objectives.size() > 1) return false;
+  const Objective& objective = design.objective;
+  if (objective.goal != Goal::target) return false;
   if (trial.violation > 0 || trial.ambiguous > design.tolerance_samples / 2) return false;
-  const Estimate& value = trial.objectives.front();
-  return cost(first, value.value) <= std::max(value.error / 2, 1e-4 * std::max(std::abs(first.target), 1e-3));
+  const Estimate& value = trial.objective;
+  return cost(objective, value.value) <=
+         std::max(value.error / 2, 1e-4 * std::max(std::abs(objective.target), 1e-3));
 }
 
 double least_margin(const std::vector<Profile>& profiles) {
@@ -69,9 +67,8 @@ double least_margin(const std::vector<Profile>& profiles) {
 Trials::Trials(const Experiment& experiment, const Design& design, Solve solve)
     : experiment_(experiment), design_(design), solve_(std::move(solve)) {
   for (results::ResultVariable& variable : results::result_variables(experiment.sweep))
-    if (std::ranges::count(design.objectives, variable.name, &Objective::variable) +
-            std::ranges::count(design.constraints, variable.name, &Constraint::variable) >
-        0)
+    if (design.objective.variable == variable.name ||
+        std::ranges::count(design.constraints, variable.name, &Constraint::variable) > 0)
       judged_.push_back(std::move(variable));
   if (!design_.tolerances.empty())
     deviations_ = sobol_points(design_.tolerance_samples, design_.tolerances.size(), design_.seed);
@@ -183,14 +180,13 @@ void Trials::add_undefined(Trial& out, const results::PointRecord& point) const 
       out.undefined.try_emplace(variable.name, results::why_missing(point, variable));
 }
 
-void Trials::add_objective(Outcome& out, const Objective& objective,
-                           const std::vector<std::vector<Estimate>>& values) {
+void Trials::set_objective(Outcome& out, const std::vector<std::vector<Estimate>>& values) const {
   std::vector<Estimate> by_scenario;
   for (const std::vector<Estimate>& all : values)
-    by_scenario.push_back(all.empty() ? Estimate{kNone, kNone} : statistic(objective.of, all));
-  out.scenarios.push_back(worst_scenario(objective, by_scenario));
-  out.objectives.push_back(by_scenario[out.scenarios.back()]);
-  out.point_errors.push_back(std::sqrt(mean_square_error(values[out.scenarios.back()])));
+    by_scenario.push_back(all.empty() ? Estimate{kNone, kNone} : statistic(design_.objective.of, all));
+  out.scenario = worst_scenario(design_.objective, by_scenario);
+  out.objective = by_scenario[out.scenario];
+  out.point_error = std::sqrt(mean_square_error(values[out.scenario]));
 }
 
 // Judges a trial by its points: for each row of the trial, the points of all scenarios.
@@ -204,19 +200,15 @@ Trial Trials::judge(const Values& nominal, const Computed* points) const {
   for (std::size_t i = 0; i < samples * scenarios; ++i) {
     out.ambiguous += run::gap_of(points[i].record).undecided;
     add_undefined(out, points[i].record);
-    out.missing += std::ranges::any_of(design_.objectives, [&](const Objective& o) {
-      return std::isnan(value_of(points[i].record, o.variable).value);
-    });
+    out.missing += std::isnan(value_of(points[i].record, design_.objective.variable).value);
   }
-  for (const Objective& objective : design_.objectives) {
-    std::vector<std::vector<Estimate>> values(scenarios);
-    const bool nominal_alone = objective.of == Statistic::nominal;
-    for (std::size_t row = nominal_alone ? 0 : 1; row < (nominal_alone ? 1 : samples); ++row)
-      for (std::size_t s = 0; s < scenarios; ++s)
-        values[s].push_back(value_of(record(row, s), objective.variable));
-    add_objective(out, objective, values);
-    if (std::isnan(out.objectives.back().value)) out.violation = kInfinity;
-  }
+  std::vector<std::vector<Estimate>> values(scenarios);
+  const bool nominal_alone = design_.objective.of == Statistic::nominal;
+  for (std::size_t row = nominal_alone ? 0 : 1; row < (nominal_alone ? 1 : samples); ++row)
+    for (std::size_t s = 0; s < scenarios; ++s)
+      values[s].push_back(value_of(record(row, s), design_.objective.variable));
+  set_objective(out, values);
+  if (std::isnan(out.objective.value)) out.violation = kInfinity;
   for (const Constraint& c : design_.constraints) {
     // The jump margin is computed below, for trials that meet the other constraints.
     double value = kNone;
@@ -280,19 +272,15 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
 
 // Returns the value in the scenario where the objective is worst. points: the points of one row in all
 // scenarios
-Estimate Trials::worst_nominal(const Objective& objective, const Computed* points) const {
+Estimate Trials::worst_nominal(const Computed* points) const {
   std::vector<Estimate> by_scenario;
   for (std::size_t s = 0; s < scenarios(); ++s)
-    by_scenario.push_back(value_of(points[s].record, objective.variable));
-  return by_scenario[worst_scenario(objective, by_scenario)];
+    by_scenario.push_back(value_of(points[s].record, design_.objective.variable));
+  return by_scenario[worst_scenario(design_.objective, by_scenario)];
 }
 
 Score Trials::score_of(const Trial& trial) const {
-  Score score{{}, trial.violation};
-  for (std::size_t i = 0; i < trial.objectives.size(); ++i)
-    score.objectives.push_back(cost(design_.objectives[i], trial.objectives[i].value));
-  score.is_met = meets_target(design_, trial);
-  return score;
+  return {cost(design_.objective, trial.objective.value), trial.violation, meets_target(design_, trial)};
 }
 
 Profile Trials::profile(const Values& nominal, const std::string& quantity,
@@ -305,11 +293,8 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
   const std::vector<Computed> points = solve_all(along, Purpose::beside);
 
   Profile out{quantity, values, {}, kNone, kNone};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    out.objectives.emplace_back();
-    for (const Objective& objective : design_.objectives)
-      out.objectives.back().push_back(worst_nominal(objective, points.data() + i * scenarios()));
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    out.objectives.push_back(worst_nominal(points.data() + i * scenarios()));
   if (along.base.loading.z_0) return out;  // a given gap does not jump
   std::vector<run::Gap> gaps;
   for (const Computed& point : points) gaps.push_back(run::gap_of(point.record));
@@ -341,9 +326,9 @@ Verification Trials::verify(const Values& nominal) const {
   };
   Verification out = compute(std::max(kVerification, design_.tolerance_samples));
   double before = kInfinity;
-  for (double error = greatest_error(out.objectives);
+  for (double error = relative_error(out.objective);
        error > kVerificationError && error < kLeastGain * before && out.brushes < kMostVerification;
-       error = greatest_error(out.objectives)) {
+       error = relative_error(out.objective)) {
     before = error;
     out = compute(2 * out.brushes);
   }
@@ -357,13 +342,12 @@ Verification Trials::verification_of(const std::vector<Computed>& points) const 
   out.beyond.resize(design_.constraints.size(), 0);
   for (std::size_t row = 0; row < out.brushes; ++row)
     add_brush(out, {points.data() + row * scenarios(), scenarios()});
-  for (const Objective& objective : design_.objectives) {
-    std::vector<std::vector<Estimate>> values(scenarios());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (const Estimate value = value_of(points[i].record, objective.variable); !std::isnan(value.value))
-        values[i % scenarios()].push_back(value);
-    add_objective(out, objective, values);
-  }
+  std::vector<std::vector<Estimate>> values(scenarios());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Estimate value = value_of(points[i].record, design_.objective.variable);
+        !std::isnan(value.value))
+      values[i % scenarios()].push_back(value);
+  set_objective(out, values);
   return out;
 }
 
@@ -375,8 +359,7 @@ void Trials::add_brush(Verification& out, std::span<const Computed> brush) const
   bool missing = false, unloaded = false, violated = false;
   for (const Computed& point : brush) {
     unloaded = unloaded || value_of(point.record, "status").value == double(PointStatus::unreachable);
-    for (const Objective& o : design_.objectives)
-      missing = missing || std::isnan(value_of(point.record, o.variable).value);
+    missing = missing || std::isnan(value_of(point.record, design_.objective.variable).value);
     for (const Constraint& c : design_.constraints)
       missing = missing || (c.variable != kJumpMargin && std::isinf(excess(c, point)));
   }
@@ -397,21 +380,17 @@ void Trials::add_brush(Verification& out, std::span<const Computed> brush) const
   out.bouncing += all_in(BrushPhase::bouncing);
 }
 
-std::vector<SobolIndices> Trials::indices(const Values& nominal) const {
+SobolIndices Trials::indices(const Values& nominal) const {
   const std::size_t inputs = design_.tolerances.size();
   std::vector<Values> rows;
   for (const Point& deviations : saltelli_design(kIndexBlocks, inputs, design_.seed))
     rows.push_back(deviated(nominal, deviations));
   const Sweep batch = with_rows(rows);
   const std::vector<Computed> points = solve_all(batch, Purpose::beside);
-  std::vector<SobolIndices> out;
-  for (const Objective& objective : design_.objectives) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < rows.size(); ++row)
-      values.push_back(worst_nominal(objective, points.data() + row * scenarios()).value);
-    out.push_back(sobol_indices(values, inputs));
-  }
-  return out;
+  std::vector<double> values;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    values.push_back(worst_nominal(points.data() + row * scenarios()).value);
+  return sobol_indices(values, inputs);
 }
 
 }  // namespace bristle::design

@@ -33,27 +33,27 @@ struct Computed {
 
 // What a trial, or its verification by many deviations, shows.
 struct Outcome {
-  std::vector<Estimate> objectives;    // value of each objective; NaN if a point that it needs has none
-  std::vector<double> point_errors;    // the part of each objective's error that its points have
-  std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
-  std::vector<double> constraints;  // each value nearest to its limit, or farthest beyond; infinite: a jump
-                                    // margin above its limit; NaN: not computed
+  Estimate objective{kNone, kNone};  // NaN if a point that it needs has no value
+  double point_error = kNone;        // the part of the objective's error that its points have
+  std::size_t scenario = 0;          // scenario in which the objective is worst
+  std::vector<double> constraints;   // each value nearest to its limit, or farthest beyond; infinite: a jump
+                                     // margin above its limit; NaN: not computed
 };
 
 struct Trial : Outcome {
   Values nominal;
   double violation = 0;                    // greatest excess, relative to its limit; infinite without values
   std::size_t missing = 0, ambiguous = 0;  // numbers of points
-  // Variables of objectives and constraints without a value at a point that has values, and why.
+  // Variables of the objective and of constraints without a value at a point that has values, and why.
   std::map<std::string, std::string> undefined;
 };
 
-// Shows how one quantity changes a trial: the nominal objectives over values of the quantity, and the nearest
+// Shows how one quantity changes a trial: the nominal objective over values of the quantity, and the nearest
 // jumps of the gap.
 struct Profile {
   std::string quantity;
-  std::vector<double> values;                     // ascending
-  std::vector<std::vector<Estimate>> objectives;  // by value, each in its worst scenario
+  std::vector<double> values;         // ascending
+  std::vector<Estimate> objectives;   // by value, each in its worst scenario
   double margin_below, margin_above;  // relative change that reaches a jump; NaN: none among the values
 };
 
@@ -61,7 +61,7 @@ struct Profile {
 // left out.
 struct Verification : Outcome {
   std::size_t brushes = 0;
-  std::size_t missing = 0;          // brushes without a value of an objective or a constraint in a scenario
+  std::size_t missing = 0;          // brushes without a value of the objective or a constraint in a scenario
   std::size_t unloaded = 0;         // brushes of which no gap carries the load in a scenario
   std::size_t violated = 0;         // brushes with values beyond a constraint
   std::vector<std::size_t> beyond;  // brushes with values beyond each constraint
@@ -69,7 +69,7 @@ struct Verification : Outcome {
   std::size_t in_contact = 0, bouncing = 0;
 };
 
-// Returns true if the only objective is a target that the trial meets within half of the value's error, or
+// Returns true if the objective is a target that the trial meets within half of the value's error, or
 // within a ten-thousandth of the target. Returns false if a constraint is violated or more than half of the
 // points are ambiguous.
 bool meets_target(const Design& design, const Trial& trial);
@@ -99,7 +99,7 @@ class Trials {
   // Returns the least relative change of a quantity that reaches a jump, located with points between the
   // neighbours of the nominal values; infinite if no change up to the required margin does.
   double located_margin(const Values& nominal) const;
-  // Returns the score of a trial for the search, which minimises objectives.
+  // Returns the score of a trial for the search, which minimises the objective.
   Score score_of(const Trial& trial) const;
 
   Profile profile(const Values& nominal, const std::string& quantity,
@@ -107,8 +107,8 @@ class Trials {
   // Computes the trial with 256 to 1024 deviations, enough to show the tails of its statistics. Requires
   // tolerances.
   Verification verify(const Values& nominal) const;
-  // Returns total and first-order indices of each nominal objective over the tolerances.
-  std::vector<SobolIndices> indices(const Values& nominal) const;
+  // Returns total and first-order indices of the nominal objective over the tolerances.
+  SobolIndices indices(const Values& nominal) const;
 
   // Returns the number of rows that each trial has in the sample.
   std::size_t rows_of_a_trial() const;
@@ -125,22 +125,21 @@ class Trials {
   Trial judge(const Values& nominal, const Computed* points) const;
   // Adds the variables that have no value at a point although it has values.
   void add_undefined(Trial& out, const results::PointRecord& point) const;
-  // Adds an objective to an outcome, with the values by scenario.
-  static void add_objective(Outcome& out, const Objective& objective,
-                            const std::vector<std::vector<Estimate>>& values);
+  // Sets the objective of an outcome, with the values by scenario.
+  void set_objective(Outcome& out, const std::vector<std::vector<Estimate>>& values) const;
   // Returns what these points show: the points of each brush in all scenarios, brush after brush.
   Verification verification_of(const std::vector<Computed>& points) const;
   // Counts a brush, whose points in all scenarios are given.
   void add_brush(Verification& out, std::span<const Computed> brush) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;
-  Estimate worst_nominal(const Objective& objective, const Computed* points) const;
+  Estimate worst_nominal(const Computed* points) const;
   double jump_margin(const Values& nominal, const Computed* points) const;
 
   const Experiment& experiment_;
   const Design& design_;
   Solve solve_;
-  std::vector<results::ResultVariable> judged_;  // variables of the objectives and constraints
+  std::vector<results::ResultVariable> judged_;  // variables of the objective and constraints
   std::vector<Point> deviations_;                // points of the unit cube, by tolerance
 };
 

@@ -41,21 +41,17 @@ std::string values_text(const Trials& trials, const Trial& trial) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// Returns the objectives of a trial, or of its verification, in words.
-template <class Found>
-std::string objectives_text(const Trials& trials, const Found& found) {
-  std::vector<std::string> parts;
-  for (std::size_t o = 0; o < found.objectives.size(); ++o)
-    parts.push_back(fmt::format("{}: {}{}", trials.design().objectives[o].text(),
-                                estimate_text(found.objectives[o]), place_of(trials, found.scenarios[o])));
-  return fmt::format("{}", fmt::join(parts, "; "));
+// Returns the objective of a trial, or of its verification, in words.
+std::string objective_text(const Trials& trials, const Outcome& found) {
+  return fmt::format("{}: {}{}", trials.design().objective.text(), estimate_text(found.objective),
+                     place_of(trials, found.scenario));
 }
 
 std::string verification_text(const Trials& trials, const Findings& found) {
   const Verification& verified = *found.verification;
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
   std::string out = fmt::format("  of {} brushes made with these tolerances: {}\n", verified.brushes,
-                                objectives_text(trials, verified));
+                                objective_text(trials, verified));
   std::vector<std::string> phases;
   const std::size_t others = verified.brushes - verified.bouncing - verified.in_contact - verified.missing;
   for (const auto& [count, what] :
@@ -84,12 +80,12 @@ std::string violated_text(const Trials& trials, const Findings& found) {
   return out;
 }
 
-// Returns the comparison as a table, a row for each variable, objective and constraint, without trials that
-// have a column already, and without the recommended trial if there is one as made.
+// Returns the comparison as a table, a row for each variable, the objective and each constraint, without
+// trials that have a column already, and without the recommended trial if there is one as made.
 std::string comparison_text(const Trials& trials, const Findings& found) {
   const Design& design = trials.design();
   std::vector<Compared> shown;
-  for (const Compared& one : compared(trials, found))
+  for (const Compared& one : compared(found))
     if (std::ranges::count(shown, one.trial, &Compared::trial) == 0 &&
         !(found.made && one.name == kRecommended))
       shown.push_back(one);
@@ -104,9 +100,7 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
     add(unit.name.empty() ? name : fmt::format("{} [{}]", label_of(name), unit.name),
         [&](const Trial& t) { return fmt::format("{:.5g}", t.nominal.at(name) / unit.size); });
   }
-  for (std::size_t o = 0; o < design.objectives.size(); ++o)
-    add(fmt::format("{}: {}", o + 1, design.objectives[o].text()),
-        [&](const Trial& t) { return estimate_text(t.objectives[o]); });
+  add(design.objective.text(), [&](const Trial& t) { return estimate_text(t.objective); });
   for (std::size_t c = 0; c < design.constraints.size(); ++c)
     add(design.constraints[c].text(), [&](const Trial& t) -> std::string {
       const double value = t.constraints[c];
@@ -140,21 +134,19 @@ std::string name_of(const Findings& found, std::size_t trial) {
   return trial == found.start_trial ? "the start" : fmt::format("trial {}", trial);
 }
 
-// Returns the gains over the start, such as "1.9 +- 0.3 %", and how many brushes as made cannot carry the
+// Returns the gain over the start, such as "1.9 +- 0.3 %", and how many brushes as made cannot carry the
 // load, of this brush and of the start.
 std::string price_text(const Trials& trials, const Findings& found, const Outcome& brush,
                        const std::optional<Verification>& verified) {
-  std::vector<std::string> parts;
-  for (const Gain& gain : gains_of(trials.design(), found, brush)) {
-    const auto [value, error] = gain.scale > 0 ? gain.relative() : gain.difference;
-    if (!(gain.scale > 0)) parts.push_back(estimate_text({value, error}));
-    else {
-      int places = 0;  // of the error's first digit, at most 3
-      for (double digit = 1; places < 3 && 100 * error < digit; digit /= 10) ++places;
-      parts.push_back(fmt::format("{:.{}f} +- {:.{}f} %", 100 * value, places, 100 * error, places));
-    }
+  const Gain gain = *gain_of(trials.design(), found, brush);
+  std::string out;
+  if (!(gain.scale > 0)) out = estimate_text(gain.difference);
+  else {
+    const auto [value, error] = gain.relative();
+    int places = 0;  // of the error's first digit, at most 3
+    for (double digit = 1; places < 3 && 100 * error < digit; digit /= 10) ++places;
+    out = fmt::format("{:.{}f} +- {:.{}f} %", 100 * value, places, 100 * error, places);
   }
-  std::string out = fmt::format("{}", fmt::join(parts, ", "));
   if (verified)
     out +=
         fmt::format("; {} of {} brushes cannot carry the load; {} of {} of the start's", verified->unloaded,
@@ -163,11 +155,10 @@ std::string price_text(const Trials& trials, const Findings& found, const Outcom
 }
 
 // Returns why the start is as good as a brush that meets the constraints and does not gain enough.
-std::string as_good_text(const Design& design, const std::vector<Gain>& gains) {
-  return std::ranges::all_of(gains, &Gain::within_errors)
-             ? "the start is as good within the errors"
-             : fmt::format("the start is as good: nothing gains {:g} % (least_gain)",
-                           100 * design.least_gain);
+std::string as_good_text(const Design& design, const Gain& gain) {
+  return gain.within_errors() ? "the start is as good within the errors"
+                              : fmt::format("the start is as good: nothing gains {:g} % (least_gain)",
+                                            100 * design.least_gain);
 }
 
 // Returns sentences on the start, if it is recommended: why, and what the best other brush would gain.
@@ -175,14 +166,14 @@ std::string kept_text(const Trials& trials, const Findings& found) {
   if (!found.not_worth) return "  no trial is better than the start, which can be kept\n";
   const auto& [trial, verified] = *found.not_worth;
   const Outcome& brush = found.not_worth->outcome();
-  const std::vector<Gain> gains = gains_of(trials.design(), found, brush);
-  std::string why = as_good_text(trials.design(), gains) + ", and can be kept";
+  const Gain gain = *gain_of(trials.design(), found, brush);
+  std::string why = as_good_text(trials.design(), gain) + ", and can be kept";
   if (!variables_matter(found, *start_of(found)))
     why =
         "no trial differs from the start by more than the errors: these variables do not matter here, and "
         "the "
         "start can be kept";
-  else if (std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < -g.point_error; }))
+  else if (gain.difference.value < -gain.point_error)
     why =
         "rounded to what can be made, the best trial is worse than the start, which can be kept: finer steps "
         "may gain more";
@@ -198,22 +189,19 @@ std::string gain_text(const Trials& trials, const Findings& found) {
   const Outcome& brush = recommended_outcome(found);
   std::string out =
       fmt::format("  gain over the start: {}\n", price_text(trials, found, brush, found.verification));
-  const std::vector<Gain> gains = gains_of(design, found, brush);
+  const Gain gain = *gain_of(design, found, brush);
   if (start_of(found)->violation > 0) return out;
   if (start_alone_violates(found))
     return out + fmt::format(
                      "  {} of {} brushes made like the start violate a constraint, and none made like this\n",
                      found.start_verification->violated, found.start_verification->brushes);
-  if (!is_worth(design, gains)) {
-    const bool worse =
-        std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < -g.point_error; });
-    return out + (worse
+  if (!is_worth(design, gain)) {
+    return out + (gain.difference.value < -gain.point_error
                       ? "  the start is better, but outside the bounds of the variables: widen them, or keep "
                         "the start\n"
-                      : fmt::format("  {}, and can be kept\n", as_good_text(design, gains)));
+                      : fmt::format("  {}, and can be kept\n", as_good_text(design, gain)));
   }
-  if (found.verification &&
-      std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < g.difference.error; }))
+  if (found.verification && gain.difference.value < gain.difference.error)
     out += fmt::format(
         "  with the same {} deviations the brush differs from the start, but each of the two by less than "
         "its "
@@ -276,7 +264,7 @@ std::string undefined_text(const Findings& found) {
 }
 
 std::string miss_text(const Trials& trials, const Findings& found) {
-  const Trial& nearest = found.trials[found.nearest_miss];
+  const Trial& nearest = found.trials[found.best];
   if (std::isinf(nearest.violation)) {
     const bool is_explained =
         std::ranges::none_of(found.trials, [](const Trial& t) { return t.undefined.empty(); });
@@ -292,8 +280,8 @@ std::string miss_text(const Trials& trials, const Findings& found) {
       parts.push_back(
           fmt::format("{}: {:.4g}", trials.design().constraints[c].text(), nearest.constraints[c]));
   return fmt::format("no trial meets all constraints; the nearest miss is {}: {}\n  constraints: {}\n  {}\n",
-                     name_of(found, found.nearest_miss), values_text(trials, nearest), fmt::join(parts, "; "),
-                     objectives_text(trials, nearest));
+                     name_of(found, found.best), values_text(trials, nearest), fmt::join(parts, "; "),
+                     objective_text(trials, nearest));
 }
 
 // Returns a change that reaches a jump, such as "-11 % (2.2 standard deviations)".
@@ -322,27 +310,13 @@ std::string margins_text(const Trials& trials, const Findings& found) {
 }
 
 std::string indices_text(const Trials& trials, const Findings& found) {
+  if (!found.indices) return "";
   std::vector<std::string> labels;
   for (const std::string& quantity : trials.design().tolerated()) labels.push_back(label_of(quantity));
-  std::string out;
-  for (std::size_t o = 0; o < found.indices.size(); ++o)
-    out += fmt::format("  shares of the tolerances in the variance of {} (Sobol indices)\n{}",
-                       trials.design().objectives[o].variable,
-                       run::indices_text(found.indices[o], labels, kIndexBlocks,
-                                         "choose bounds or tolerances with which more points have a value"));
-  return out;
-}
-
-// Returns the range of each objective on the front, in words.
-std::string front_text(const Trials& trials, const Findings& found) {
-  std::vector<std::string> parts;
-  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o) {
-    const auto value = [&](std::size_t i) { return found.trials[i].objectives[o].value; };
-    const auto [least, most] = std::ranges::minmax(found.front, {}, value);
-    parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", trials.design().objectives[o].variable,
-                                value(least), value(most)));
-  }
-  return fmt::format("the front: {}, {}\n", trials_text(found.front.size()), fmt::join(parts, ", "));
+  return fmt::format("  shares of the tolerances in the variance of {} (Sobol indices)\n{}",
+                     trials.design().objective.variable,
+                     run::indices_text(*found.indices, labels, kIndexBlocks,
+                                       "choose bounds or tolerances with which more points have a value"));
 }
 
 }  // namespace
@@ -354,31 +328,23 @@ std::string text_of(const Trials& trials, const Findings& found) {
   out += fmt::format("recommended, {}{}: {}\n", name_of(found, found.chosen.front()),
                      found.made ? ", rounded to what can be made" : "", values_text(trials, best));
   if (!trials.sweep().without(sweep::kSample).axes.empty())
-    out += fmt::format("  where it is worst: {}\n", objectives_text(trials, best));
+    out += fmt::format("  where it is worst: {}\n", objective_text(trials, best));
   out += violated_text(trials, found) + comparison_text(trials, found) + remarks_text(trials, found);
-  const Objective& first = trials.design().objectives.front();
-  if (trials.design().objectives.size() == 1 && first.goal == Goal::target &&
-      !meets_target(trials.design(), best))
+  if (trials.design().objective.goal == Goal::target && !meets_target(trials.design(), best))
     out +=
         "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
   if (found.verification) out += verification_text(trials, found);
   out += margins_text(trials, found);
-  if (found.second)
-    out +=
-        fmt::format("  with {} = {}: {}\n", trials.design().second_choice,
-                    sweep::find_sweepable(trials.design().second_choice)->text(trials.design().second_option),
-                    objectives_text(trials, *found.second));
   return out;
 }
 
 std::string details_of(const Trials& trials, const Findings& found) {
   if (found.chosen.empty()) return "";
   std::string out = indices_text(trials, found);
-  if (trials.design().objectives.size() > 1) out += front_text(trials, found);
   for (std::size_t i = 1; i < found.chosen.size(); ++i)
     out += fmt::format("another optimum, {}: {}\n  {}\n", name_of(found, found.chosen[i]),
                        values_text(trials, found.trials[found.chosen[i]]),
-                       objectives_text(trials, found.trials[found.chosen[i]]));
+                       objective_text(trials, found.trials[found.chosen[i]]));
   return out;
 }
 

@@ -143,8 +143,7 @@ OwnLaw read_friction_law(const json::Document& d, const std::vector<sweep::Axis>
                     "null removes a key that is inherited)",
                     given.empty() ? "none of them" : fmt::format("{}", fmt::join(given, ", "))));
   const OwnLaw out = read_curve(law);
-  const bool used_by_second = json.value(JsonPointer("/design/second_model/friction"), "") == Custom::name;
-  if (!used && !used_by_second)
+  if (!used)
     law.fail("is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");
   return out;
 }

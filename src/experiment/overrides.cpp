@@ -66,7 +66,6 @@ void check_overrides(const json::Document& document) {
 
 std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep) {
   std::vector<std::string> out;
-  if (document.json().contains(JsonPointer("/design/second_model"))) return out;
   for (const char* name : {"model", "si", "load", "orientation"}) {
     const JsonPointer block = JsonPointer() / name;
     if (!document.json().contains(block)) continue;

@@ -10,7 +10,7 @@ namespace bristle::experiment {
 void check_overrides(const json::Document& document);
 
 // Returns a warning for each number of model, si and load that --set gives and that no point of the sweep
-// depends on; none for an experiment with a second model, which may depend on others.
+// depends on.
 std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep);
 
 // Returns the place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a

@@ -19,7 +19,7 @@ printf 'friction,k_r\nnss,1e1\ncoulomb,20.000000000000004\nnss,7\n' >rows.csv
 echo "{ $quick, $gap, \"name\": \"table\", \"sweep\": { \"sample\": { \"table\": \"rows.csv\" } } }" >table.json
 echo "{ $quick, $gap, \"name\": \"sobol\", \"sweep\": { \"sample\": { \"sobol\": 2, \"seed\": 1, \"over\": { \"k_r\": { \"log\": [5, 20] },
   \"tau_f\": { \"normal\": [3e4, 1e3] } } } }, \"analysis\": { \"sobol_indices\": [\"R_x\"] } }" >sobol.json
-echo "{ $quick, $gap, \"name\": \"design\", \"design\": { \"variables\": { \"k_r\": [5, 20] }, \"objectives\": [{ \"minimise\": \"R_x\" }],
+echo "{ $quick, $gap, \"name\": \"design\", \"design\": { \"variables\": { \"k_r\": [5, 20] }, \"objective\": { \"minimise\": \"R_x\" },
   \"budget\": 6, \"seed\": 1 }, \"tiers\": { \"smoke\": { \"design\": { \"budget\": 4 } } } }" >design.json
 echo "{ $quick, \"name\": \"trace\", \"load\": { \"R_n\": null, \"path\": null, \"trace\": { \"to\": 0.8, \"nodes\": 96 } },
   \"sweep\": { \"k_r\": { \"values\": [5, 20] } } }" >trace.json

@@ -371,7 +371,7 @@ cp experiments/paper.json "$folder"
 cat >"$folder/weak.json" <<EOF
 {"extends": "paper.json", "name": "weak", "model": {"friction": "coulomb", "mu_c": 0.2}, "load": {"R_n": 1},
  "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]},
- "design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 2}}
+ "design": {"variables": {"k_r": [5, 40]}, "objective": {"minimise": "R_x"}, "budget": 2}}
 EOF
 expect 0 "there is nothing to control" "$bristle" design "$folder/weak.json" -o "$folder/weak.h5"
 "$bristle" info "$folder/weak.h5" >"$folder/log"

@@ -71,5 +71,5 @@ for i in 2 1; do expect 0 "points: " "${run[@]}" "${sample[@]}" --shard $i/2 -o 
 expect 0 "32 computed before" "${run[@]}" "${sample[@]}" --complete -o "$folder/sample.h5"
 expect 0 "the same, bit for bit" "$bristle" diff "$folder/sample.h5" "$folder/whole/sample.h5"
 expect 2 "a search cannot be split into shards" "${run[@]}" --shard 1/2 -o "$folder/x.h5" \
-  --set '/design={"variables":{"k_r":[2,20]},"budget":8,"objectives":[{"minimise":"R_x"}]}'
+  --set '/design={"variables":{"k_r":[2,20]},"budget":8,"objective":{"minimise":"R_x"}}'
 exit $((failures > 0))

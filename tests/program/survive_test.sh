@@ -74,7 +74,7 @@ killed() {
 
 if [ "$wanted" -ge 40 ]; then
   # A design, whose trials follow from each other, with what is computed beside the one that it recommends.
-  subject --set '/design={"variables":{"k_r":[2,20]},"budget":8,"objectives":[{"minimise":"R_x"},{"minimise":"R_n"}]}'
+  subject --set '/design={"variables":{"k_r":[2,20]},"budget":8,"objective":{"minimise":"R_x"}}'
   killed "$wanted"
   # A sample and its analysis.
   subject --set '/sweep/sample={"sobol":8,"seed":1,"over":{"k_r":{"log":[2,20]},"k_theta":{"uniform":[0.5,4]}}}' \

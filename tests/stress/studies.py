@@ -153,9 +153,8 @@ def design(document):
     names = r.sample(axes(document), r.randint(1, 2))
     block = {"variables": {name: sorted((value(name), value(name))) for name in names}, "budget": r.randint(1, 6), "seed": r.randint(0, 99)}
     goal, tolerances = r.choice(["minimise", "maximise", "target"]), r.random() < 0.5
-    block["objectives"] = [{goal: r.choice(VARIABLES), **({"value": r.choice([0, 1, 0.3, -1, 1e300])} if goal == "target" else {}),
-                            **({"of": r.choice(["nominal", "mean", "q05", "q95", "least", "greatest"])} if tolerances else {})}
-                           for _ in range(r.choice([1, 1, 2]))]
+    block["objective"] = {goal: r.choice(VARIABLES), **({"value": r.choice([0, 1, 0.3, -1, 1e300])} if goal == "target" else {}),
+                          **({"of": r.choice(["nominal", "mean", "q05", "q95", "least", "greatest"])} if tolerances else {})}
     if tolerances:
         block["tolerances"] = {name: {r.choice(["normal", "uniform"]): r.choice([1e-9, 0.01, 0.05, 0.2])}
                                for name in r.sample([*names, "k_theta", "zeta_phi"], r.randint(1, 2))}
@@ -163,9 +162,6 @@ def design(document):
     if r.random() < 0.4:
         block["constraints"] = [r.choice([{"variable": r.choice(VARIABLES), r.choice(["min", "max"]): r.choice([-1, 0, 0.5, 2, 1e300])},
                                           {"jump_margin": r.choice([0.01, 0.1, 0.5])}])]
-    if r.random() < 0.5:
-        choice = r.choice([*WORDS, "friction", "bending"])
-        block["second_model"] = {choice: r.choice(WORDS[choice])}
     document["design"] = block
     if r.random() < 0.3:
         document["sweep"] = {"V_s": {"values": [0.01, 0.05]}}

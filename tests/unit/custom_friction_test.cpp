@@ -235,12 +235,6 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
                     Catch::Contains("/sweep/sample/table: \"custom\" needs the block /friction_law"));
   CHECK(files.load(sobol + law).sweep.friction_law);
   CHECK(files.load(table + law).sweep.friction_law);
-  const std::string design =
-      R"("load": {"z_0": 0.6, "R_n": null, "path": null}, "design": {"variables": {"k_r": [5, 40]},
-      "objectives": [{"minimise": "R_x"}], "budget": 1, "second_model": {"friction": "custom"}})";
-  CHECK_THROWS_WITH(design::read_design(files.load(design)),
-                    Catch::Contains("/design/second_model/friction: \"custom\" needs"));
-  CHECK(files.load(design + law).sweep.friction_law);
 }
 
 TEST_CASE("custom friction: a law from a file of comma-separated values equals the law from lists") {

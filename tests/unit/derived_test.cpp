@@ -37,37 +37,13 @@ struct Folder {
 
 std::string design(const std::string& variables, const std::string& more = "") {
   return fmt::format(
-      R"(, "design": {{"variables": {{{}}}, "objectives": [{{"minimise": "R_x"}}], "budget": 4{}}})",
-      variables, more);
+      R"(, "design": {{"variables": {{{}}}, "objective": {{"minimise": "R_x"}}, "budget": 4{}}})", variables,
+      more);
 }
 
 const std::string kGap = R"(, "load": {"z_0": 0.6, "R_n": null, "path": null})";
 
 }  // namespace
-
-TEST_CASE("a second model is checked before the first trial") {
-  const Folder f;
-  const auto second = [&](const std::string& model, const std::string& more = kGap) {
-    return f.error(more + design(R"("k_r": [5, 40])", fmt::format(R"(, "second_model": {{{}}})", model)));
-  };
-  CHECK(f.valid(kGap + design(R"("k_r": [5, 40])", R"(, "second_model": {"bending": "rod"})")));
-  CHECK_THAT(second(R"("sampling": "lattice")"),
-             Catch::Contains("e.json: /design/second_model/sampling: \"lattice\" needs another experiment") &&
-                 Catch::Contains("/orientation/rows: is missing"));
-  CHECK_THAT(second(R"("friction": "custom")"),
-             Catch::Contains("/design/second_model/friction: \"custom\" needs"));
-  CHECK_THAT(second(R"("bending": "polar")"), Catch::Contains("\"polar\" is the first model, too"));
-  CHECK_THAT(second(R"("path": "unloading")"), Catch::Contains("\"unloading\" is the first model, too"));
-  CHECK_THAT(second(R"("pole_rule": "cross")", kGap + R"(, "model": {"bending": "rod"})"),
-             Catch::Contains("\"cross\" is the first model, too"));
-  // A result of rods has no share of pinned bristles.
-  CHECK_THAT(
-      f.error(
-          kGap +
-          R"(, "design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "no_such"}], "budget": 4,
-                               "second_model": {"bending": "rod"}})"),
-      Catch::Contains("\"no_such\" is not a variable of the result"));
-}
 
 TEST_CASE("a gap above first contact that the load search finds can be given, and has the same load") {
   const Folder f;
@@ -178,7 +154,7 @@ TEST_CASE("a recommended trial is verified by many deviations", "[threads]") {
   const Experiment e = f.load(
       kGap + R"(, "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]})" +
       R"(, "design": {"variables": {"k_r": [5, 9]}, "tolerances": {"k_r": {"normal": 0.1}}, "budget": 8,
-                                  "tolerance_samples": 8, "objectives": [{"minimise": "R_x", "of": "q95"}],
+                                  "tolerance_samples": 8, "objective": {"minimise": "R_x", "of": "q95"},
                                   "constraints": [{"variable": "R_x", "max": 100}]})");
   design::run_design(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const results::ResultReader file(f.s.path("e.h5"));
@@ -186,9 +162,9 @@ TEST_CASE("a recommended trial is verified by many deviations", "[threads]") {
   CHECK(value("verification/brushes") == 256);
   CHECK(value("verification/missing") == 0);
   CHECK(value("verification/violated") == 0);
-  const double stated = value("best/objective_1"), error = value("best/objective_1_err");
-  CHECK(std::abs(value("verification/objective_1") - stated) < 2 * error);
-  CHECK(value("verification/objective_1_err") < error / 2);
+  const double stated = value("best/objective"), error = value("best/objective_err");
+  CHECK(std::abs(value("verification/objective") - stated) < 2 * error);
+  CHECK(value("verification/objective_err") < error / 2);
 }
 
 }  // namespace bristle::derived_test

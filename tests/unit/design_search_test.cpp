@@ -1,4 +1,4 @@
-// The searches, of functions whose minima and fronts are known.
+// The search, of functions whose minima are known.
 #include "design/design.hpp"
 #include "design/search.hpp"
 #include "design/trials.hpp"
@@ -34,27 +34,6 @@ struct Searched {
 
 }  // namespace
 
-TEST_CASE("a front of two objectives: ZDT1") {
-  // E. Zitzler, K. Deb, L. Thiele, Evol. Comput. 8(2), 2000: f_2 = 1 - sqrt(f_1) on the front.
-  Searched zdt1([](const Point& x) {
-    double g = 0;
-    for (std::size_t i = 1; i < x.size(); ++i) g += 9 * x[i] / double(x.size() - 1);
-    return Score{{x[0], (1 + g) * (1 - std::sqrt(x[0] / (1 + g)))}, 0};
-  });
-  design::search_front(6, 4000, 1, std::ref(zdt1));
-  REQUIRE(zdt1.points.size() == 4000);
-  const auto front = design::front_of(zdt1.scores);
-  REQUIRE(front.size() > 30);
-  double largest_gap = 0, before = 0;
-  for (const std::size_t i : front) {
-    const auto& f = zdt1.scores[i].objectives;
-    CHECK(f[1] - (1 - std::sqrt(f[0])) < 0.02);
-    largest_gap = std::max(largest_gap, f[0] - before);
-    before = f[0];
-  }
-  CHECK(std::max(largest_gap, 1 - before) < 0.15);
-}
-
 TEST_CASE("a search with twice the budget finds nothing worse") {
   // Bent like a banana, with many minima, and with a jump.
   const std::vector<std::function<double(const Point&)>> functions = {
@@ -73,9 +52,9 @@ TEST_CASE("a search with twice the budget finds nothing worse") {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
       double before = HUGE_VAL;
       for (const std::size_t budget : {15, 30, 60, 120, 240}) {
-        Searched trials([&](const Point& x) { return Score{{function(x)}, 0}; });
+        Searched trials([&](const Point& x) { return Score{function(x), 0}; });
         const auto minima = design::search_minima(2, budget, seed, std::ref(trials));
-        const double least = trials.scores[minima.front()].objectives[0];
+        const double least = trials.scores[minima.front()].objective;
         CAPTURE(seed, budget);
         CHECK(least <= before);
         before = least;
@@ -83,63 +62,10 @@ TEST_CASE("a search with twice the budget finds nothing worse") {
     }
 }
 
-namespace {
-
-// The area that the front of ZDT1 in two variables dominates, up to 1.2 in both objectives.
-double area_of_front(std::size_t budget, std::uint64_t seed) {
-  Searched zdt1([](const Point& x) {
-    const double g = 1 + 9 * x[1];
-    return Score{{x[0], g * (1 - std::sqrt(x[0] / g))}, 0};
-  });
-  design::search_front(2, budget, seed, std::ref(zdt1));
-  const auto front = design::front_of(zdt1.scores);
-  double area = 0;
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    const double next = i + 1 < front.size() ? zdt1.scores[front[i + 1]].objectives[0] : 1.2;
-    area += (next - zdt1.scores[front[i]].objectives[0]) *
-            std::max(0.0, 1.2 - zdt1.scores[front[i]].objectives[1]);
-  }
-  return area;
-}
-
-}  // namespace
-
-TEST_CASE("a front of two objectives misses less than 5 % of the whole, and less with a larger budget") {
-  const double whole = 0.2 + 2.0 / 3 + 0.2 * 1.2;  // the integral of 1.2 - (1 - sqrt(x)), and beyond 1
-  constexpr int seeds = 10;
-  double sum = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    double before = 0;
-    for (const std::size_t budget : {100, 200, 400}) {
-      const double area = area_of_front(budget, seed);
-      CAPTURE(seed, budget, area);
-      CHECK(area >= before);
-      CHECK(area < whole);
-      before = area;
-    }
-    sum += before;
-  }
-  CHECK(sum / seeds > 0.95 * whole);
-}
-
-TEST_CASE("the search of a front keeps to constraints and does without values") {
-  // Two opposite objectives; allowed is a disc only, and one half of the square has no values.
-  Searched disc([](const Point& x) {
-    if (x[1] > 0.6) return Score{{std::nan(""), std::nan("")}, HUGE_VAL};
-    const double r = std::hypot(x[0] - 0.5, x[1] - 0.4);
-    return Score{{x[0], -x[0]}, std::max(0.0, r - 0.1)};
-  });
-  design::search_front(2, 600, 3, std::ref(disc));
-  const auto front = design::front_of(disc.scores);
-  REQUIRE(!front.empty());
-  CHECK(disc.scores[front.front()].objectives[0] == Approx(0.4).margin(0.02));
-  CHECK(disc.scores[front.back()].objectives[0] == Approx(0.6).margin(0.02));
-}
-
-TEST_CASE("the search of one objective finds the minima on both sides of a jump, the best first") {
+TEST_CASE("the search finds the minima on both sides of a jump, the best first") {
   Searched jumping([](const Point& x) {
     const double f = x[0] < 0.37 ? 0.5 + 8 * std::pow(x[0] - 0.2, 2) : 0.2 + 3 * std::pow(x[0] - 0.8, 2);
-    return Score{{f}, 0};
+    return Score{f, 0};
   });
   const auto minima = design::search_minima(1, 80, 1, std::ref(jumping));
   CHECK(jumping.points.size() <= 80);
@@ -152,7 +78,7 @@ TEST_CASE("the search of a target ends where it is met, within the value's error
   constexpr double error = 0.01;
   Searched target([](const Point& x) {
     const double f = std::abs(std::abs(x[0] - 0.5) - 0.3);  // met at 0.2 and at 0.8
-    return Score{{f}, 0, f <= error / 2};
+    return Score{f, 0, f <= error / 2};
   });
   const auto met = design::search_minima(1, 400, 1, std::ref(target), true);
   REQUIRE(met.size() >= 2);
@@ -166,7 +92,7 @@ TEST_CASE("the search of a target ends where it is met, within the value's error
 }
 
 TEST_CASE("the search of a target goes on with all of the budget if no trial meets it") {
-  Searched never([](const Point& x) { return Score{{0.1 + std::pow(x[0] - 0.3, 2)}, 0}; });
+  Searched never([](const Point& x) { return Score{0.1 + std::pow(x[0] - 0.3, 2), 0}; });
   const auto ends = design::search_minima(1, 400, 1, std::ref(never), true);
   CHECK(never.points.size() > 200);
   CHECK(never.points.size() <= 400);
@@ -176,10 +102,10 @@ TEST_CASE("the search of a target goes on with all of the budget if no trial mee
 
 TEST_CASE("a trial whose load another gap carries as well does not meet a target") {
   design::Design design;
-  design.objectives = {{Goal::target, "R_x", Statistic::nominal, 0.5}};
+  design.objective = {Goal::target, "R_x", Statistic::nominal, 0.5};
   design.tolerance_samples = 0;
   design::Trial trial;
-  trial.objectives = {{0.5, 0.01}};
+  trial.objective = {0.5, 0.01};
   CHECK(design::meets_target(design, trial));
   trial.ambiguous = 1;
   CHECK(!design::meets_target(design, trial));
@@ -191,16 +117,14 @@ TEST_CASE("a trial whose load another gap carries as well does not meet a target
 
 TEST_CASE("a minimum at the edge of a constraint, and a budget of one") {
   Searched edge([](const Point& x) {
-    return Score{{x[0] + x[1]}, std::max(0.0, 0.3 - x[0]) + std::max(0.0, 0.25 - x[1])};
+    return Score{x[0] + x[1], std::max(0.0, 0.3 - x[0]) + std::max(0.0, 0.25 - x[1])};
   });
   const auto minima = design::search_minima(2, 300, 1, std::ref(edge));
   REQUIRE(edge.scores[minima.front()].violation == 0);
-  CHECK(edge.scores[minima.front()].objectives[0] == Approx(0.55).margin(0.01));
-  Searched one([](const Point& x) { return Score{{x[0]}, 0}; });
+  CHECK(edge.scores[minima.front()].objective == Approx(0.55).margin(0.01));
+  Searched one([](const Point& x) { return Score{x[0], 0}; });
   CHECK(design::search_minima(2, 1, 1, std::ref(one)).size() == 1);
   CHECK(one.points.size() == 1);
-  design::search_front(2, 1, 1, std::ref(one));
-  CHECK(one.points.size() == 2);
 }
 
 }  // namespace bristle::design_search_test

@@ -59,7 +59,7 @@ TEST_CASE("replay: a point alone has the input of the same point of any experime
   }
   SECTION("a design") {
     Json document =
-        *of(s, R"("design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 8,
+        *of(s, R"("design": {"variables": {"k_r": [5, 40]}, "objective": {"minimise": "R_x"}, "budget": 8,
       "seed": 1}, "sweep": {"R_n": {"values": [1, 2]}}, "load": {"R_n": null})")
              .document;
     const Json sample = {{"table", {{"columns", {"k_r"}}, {"rows", {{6.5}, {7.25}}}}}};

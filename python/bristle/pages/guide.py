@@ -34,25 +34,15 @@ def wrapped(line):
 
 
 def story(file):
-    """What the design of the example means: friction and load over the lift-off load are its objectives, R_m its first quantity."""
-    brushes = table_with(file, "comparison", "objective_1", "objective_2", "constraint_2").set_index(brush="brush")
+    """What the design of the example means: friction is its objective, jump_margin its third constraint, R_m its first quantity."""
+    start = table_with(file, "comparison", "constraint_3").set_index(brush="brush").sel(brush="start")
     margins = table_with(file, "margins", "margin_below").set_index(quantity="quantity")
-    found = table_with(file, "verification", "objective_1", "objective_2", "brushes", "bouncing").isel(brush=0)
-    start, low, high = (brushes.sel(brush=name) for name in ("start", "best_objective_1", "best_objective_2"))
-    return f"""The gap of the start jumps if one of its dimensions changes by {percent(start.constraint_2)}, less than the constraint allows. The
+    found = table_with(file, "verification", "objective", "brushes", "bouncing").isel(brush=0)
+    return f"""The gap of the start jumps if one of its dimensions changes by {percent(start.constraint_3)}, less than the constraint allows. The
 recommended brush, as made, jumps if its radius is {percent(margins.margin_below.sel(quantity="R_m"))} smaller. Of
 {int(found.brushes)} brushes made like it {percent(found.bouncing / found.brushes)} bounce; five in a hundred have a friction
-above {value(found, 1)}, and five carry more than {value(found, 2)} of the load at which they fall into contact. From its eight
-deviations alone, the start has {value(start, 1)} and {value(start, 2)}. So a reserve of load costs friction, as along the
-front: from {value(low, 1)} at {value(low, 2)} to {value(high, 1)} at {value(high, 2)}. The drawing is of the nominal brush,
-without deviations, which carries {percent(table_with(file, "working_range", "load_over_lift_off").load_over_lift_off.item())} of its
-lift-off load."""
-
-
-def value(brush, objective):
-    """An objective with its error, to the second digit of the error."""
-    error = float(brush[f"objective_{objective}_err"])
-    return f"{float(brush[f'objective_{objective}']):.2f} ± {error:.2f}"
+above {float(found.objective):.2f} ± {float(found.objective_err):.2f}. The drawing is of the nominal brush, without deviations, which
+carries {percent(table_with(file, "working_range", "load_over_lift_off").load_over_lift_off.item())} of its lift-off load."""
 
 
 def percent(share):

@@ -21,7 +21,7 @@ COMMAND_AIM = 1  # s of processor time for a command that reads a finished resul
 JOURNAL_AIM = 5  # s of processor time for a run whose points are all in the journal
 BUILD_AIM, TEST_AIM = 85, 420  # s of processor time in a fresh clone for `make build`, and together with `make test`
 # Aims for the CPU time of designs and indices on one core, in s.
-DESIGN_AIMS = {"target": 15, "target_at_jump": 15, "robust": 240, "front": 120, "indices": 300}
+DESIGN_AIMS = {"target": 15, "target_at_jump": 15, "robust": 240, "indices": 300}
 
 # Phases of a step, and their shares of the kernel's time in %: samples of `perf record build/benchmarks/bench_engine
 # --kernel`, taken by hand.
