@@ -288,7 +288,7 @@ def status_words(status):
 
 
 def status_counts(file):
-    """(status, number of points) for each status that occurs, without absent points."""
+    """(status, number of points) for each status that occurs."""
     words, codes = flags(dataset(file, "status"))
     counts = np.bincount(np.ravel(codes), minlength=len(words))
-    return [(readable(word), int(n)) for word, n in zip(words, counts) if n and word != "absent"]
+    return [(readable(word), int(n)) for word, n in zip(words, counts) if n]

@@ -24,8 +24,7 @@ struct DrawnPoint {
 std::vector<DrawnPoint> draw_points(const Verification& archive, std::size_t count, std::uint64_t seed) {
   std::vector<DrawnPoint> all;
   for (const auto& [name, result] : archive.results)
-    for (std::size_t i = 0; i < result.facts["sweep_points"].get<std::size_t>(); ++i)
-      all.push_back({name, i});
+    for (std::size_t i = 0; i < result.facts["points"].get<std::size_t>(); ++i) all.push_back({name, i});
   count = std::min(count, all.size());
   for (std::size_t i = 0; i < count; ++i)
     std::swap(all[i], all[i + split_mix(seed + i * kSplitMixStep) % (all.size() - i)]);

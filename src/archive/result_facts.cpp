@@ -65,9 +65,7 @@ Json result_facts(const results::ResultReader& result) {
   for (const char* name : {"name", "title", "figure", "tier", "payload_sha256"})
     facts[name] = result.text(name);
   facts["numerics_version"] = result.integer("numerics_version");
-  facts["points"] = long(status.values.size()) -
-                    std::count(status.values.begin(), status.values.end(), double(PointStatus::absent));
-  facts["sweep_points"] = grid_size(result.sweep_shape());
+  facts["points"] = status.values.size();
   facts["provenance"] = Json(result.provenance());
   facts["claims"] = claims_of(claims::evaluate_checks(result));
   return facts;

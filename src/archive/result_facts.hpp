@@ -6,7 +6,7 @@
 namespace bristle::archive {
 
 // Returns facts about a result for README and metadata: {"name", "title", "figure", "tier", "payload_sha256",
-// "numerics_version", "points", "sweep_points", "provenance": {...}, "claims": [{"claim", "statement",
+// "numerics_version", "points", "provenance": {...}, "claims": [{"claim", "statement",
 // "verdicts": {reading: verdict}}]}.
 Json result_facts(const results::ResultReader& result);
 

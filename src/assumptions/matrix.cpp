@@ -36,8 +36,8 @@ const std::vector<std::string> kCellKeys = {"claim_verdict", "verdict", "measure
 Json cell_json(const Cell& cell) {
   const claims::CheckResult& c = cell.result;
   if (!cell.affected) return nullptr;
-  return {word(c.claim_verdict),          word(c.verdict),  number(c.measured.value),
-          number(c.measured.uncertainty), number(c.margin), c.measured.missing};
+  return {word(c.claim_verdict),    word(c.verdict),  number(c.measured.value),
+          number(c.measured.error), number(c.margin), c.measured.missing};
 }
 
 // Returns the cells of a document, each with its place and with the names of its values.

@@ -43,7 +43,6 @@ Check read_check(const Node& node) {
     check.divide_by.emplace_back(name, power.as<double>());
   for (const auto& [name, selection] : node["where"].members())
     check.where.emplace_back(name, read_selection(selection));
-  for (const auto& [name, value] : node["at"].members()) check.at.emplace(name, value.as<double>());
   for (const auto& [name, values] : node["compare"].members()) {
     if (values.value().size() != 2) values.fail("needs two values of the axis");
     check.compare.push_back({name, {read_selection(values[0]), read_selection(values[1])}});

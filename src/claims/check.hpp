@@ -59,8 +59,6 @@ struct Check {
   std::string along, x, against;  // dimension of the curves, abscissa, second dimension
   std::vector<std::pair<std::string, double>> divide_by;  // variables and their powers
   std::vector<std::pair<std::string, Selection>> where;
-  std::optional<std::pair<std::string, double>>
-      at;                             // traced curves: variable and its value at which to measure
   std::vector<ComparedPair> compare;  // the first values of all pairs with the second values of all
   PointPairs pairs = PointPairs::all;
   bool difference = false;          // compare by the difference; otherwise by the ratio

@@ -26,10 +26,10 @@ double margin_of(const Check& check, double value) {
 }
 
 Verdict decide(const Measurement& m, double margin) {
-  if (!std::isfinite(m.value) || !std::isfinite(m.uncertainty)) return Verdict::undecided;
-  if (margin < -m.uncertainty) return Verdict::refuted;
+  if (!std::isfinite(m.value) || !std::isfinite(m.error)) return Verdict::undecided;
+  if (margin < -m.error) return Verdict::refuted;
   if (m.significance > kSignificanceLevel) return Verdict::undecided;
-  return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
+  return margin >= m.error ? Verdict::supported : Verdict::undecided;
 }
 
 // Returns the worse of two verdicts, in the order refuted, undecided, supported.

@@ -64,7 +64,7 @@ std::string required_text(const Check& check) {
 }
 
 std::string found_text(const CheckResult& c) {
-  const auto& [value, uncertainty] = std::pair{c.measured.value, c.measured.uncertainty};
+  const auto& [value, uncertainty] = std::pair{c.measured.value, c.measured.error};
   if (!std::isfinite(value)) return "not measured";
   if (!is_share(c.check)) return fmt::format("{:.3f} +- {:.3f}", value, uncertainty);
   const double share = percentage(c.check, value);

@@ -1,6 +1,5 @@
 #include "claims/curves.hpp"
 
-#include "bristle/ensemble/trace.hpp"
 #include "bristle/model/elementary.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -121,51 +120,6 @@ void select(const results::ResultReader& result, Field& field, const std::string
     if (!selected[i]) field.kept[i] = false;
 }
 
-// Returns value and error where the abscissa first crosses the target along the nodes of a curve; NaN if it
-// does not cross the target.
-CurvePoint interpolate(const Curve& nodes, double target) {
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const CurvePoint &a = nodes[i - 1], &b = nodes[i];
-    if ((a.x - target) * (b.x - target) > 0) continue;
-    const double share = b.x == a.x ? 0 : (target - a.x) / (b.x - a.x);
-    const double step = std::abs(b.value - a.value);
-    return {target, a.value + share * (b.value - a.value),
-            std::max(a.error, b.error) + std::min(share, 1 - share) * step};
-  }
-  return {target, NAN, NAN};
-}
-
-// Returns the field without its last dimension, "node": interpolated where the named variable has the target
-// value.
-Field reduce(const results::ResultReader& result, const Field& field, const std::string& name,
-             double target) {
-  if (field.shape.empty())
-    throw InputError(fmt::format("{}: damaged: a variable to be measured at a value of {} has no nodes",
-                                 result.path(), name));
-  const std::vector<double> abscissa = values_of(result, name, field.values.size());
-  const std::vector<double> branch = values_of(result, "branch", field.values.size());
-  const bool loading_path = name == "R_n";
-  const std::size_t nodes = field.shape.back();
-  Field out;
-  out.dimensions.assign(field.dimensions.begin(), field.dimensions.end() - 1);
-  out.shape.assign(field.shape.begin(), field.shape.end() - 1);
-  for (std::size_t start = 0; start < field.values.size(); start += nodes) {
-    Curve curve;
-    bool kept = false;
-    for (std::size_t i = start; i < start + nodes; ++i) {
-      kept = kept || field.kept[i];
-      const bool on_path = branch[i] == double(Branch::loading) || branch[i] == double(Branch::both);
-      if (!std::isfinite(field.values[i]) || (loading_path && !on_path)) continue;
-      curve.push_back({abscissa[i], field.values[i], field.errors[i]});
-    }
-    const CurvePoint at = interpolate(curve, target);
-    out.values.push_back(at.value);
-    out.errors.push_back(at.error);
-    out.kept.push_back(kept);
-  }
-  return out;
-}
-
 // Returns the index of the first point behind the largest rise of ln(z_0) between neighbouring points.
 std::size_t behind_jump(const std::vector<double>& gaps) {
   std::size_t at = gaps.size();
@@ -191,7 +145,7 @@ CheckedField CheckedCurves::field_of(const std::string& variable) const {
   for (const auto& [name, wanted] : check_.where) select(result_, field, name, wanted);
   if (side_)
     for (const auto& [name, values] : check_.compare) select(result_, field, name, values[*side_]);
-  return check_.at ? reduce(result_, field, check_.at->first, check_.at->second) : field;
+  return field;
 }
 
 Curves CheckedCurves::along() const { return curves(check_.along, false); }
@@ -228,7 +182,7 @@ Curves CheckedCurves::curves(const std::string& dimension, bool whole) const {
       if (!last_missing) {
         curve.push_back(point);
         if (gap) gaps.push_back(gap->values[i]);
-      } else if (dimension != "node") {
+      } else {
         ++out.missing;
       }
     }

@@ -31,9 +31,7 @@ struct CheckedField : results::Array {
 };
 
 // Reads the variable of a check, divided by powers of other variables, at the points that "where" selects.
-// "at" reduces every traced curve to one value by linear interpolation between nodes: at the given load on
-// the loading path or, for a variable other than R_n, where this variable first crosses the given value. The
-// error then includes the difference from the nearer node. All members throw InputError for a name that the
+// All members throw InputError for a name that the
 // result does not have.
 class CheckedCurves {
  public:

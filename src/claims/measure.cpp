@@ -13,7 +13,7 @@ namespace {
 Measurement combined(const Measurement& a, const Measurement& b, double value, double uncertainty) {
   Measurement out = a;
   out.value = value;
-  out.uncertainty = uncertainty;
+  out.error = uncertainty;
   out.curves += b.curves;
   out.missing += b.missing;
   out.significance = std::numeric_limits<double>::quiet_NaN();
@@ -22,12 +22,11 @@ Measurement combined(const Measurement& a, const Measurement& b, double value, d
 
 Measurement ratio(const Measurement& a, const Measurement& b) {
   const double value = a.value / b.value;
-  return combined(a, b, value,
-                  std::abs(value) * (a.uncertainty / std::abs(a.value) + b.uncertainty / std::abs(b.value)));
+  return combined(a, b, value, std::abs(value) * (a.error / std::abs(a.value) + b.error / std::abs(b.value)));
 }
 
 Measurement difference(const Measurement& a, const Measurement& b) {
-  return combined(a, b, a.value - b.value, a.uncertainty + b.uncertainty);
+  return combined(a, b, a.value - b.value, a.error + b.error);
 }
 
 template <Measurement (*Function)(const Curves&)>
@@ -50,7 +49,7 @@ Measurement trend_of(const CheckedCurves& curves, const Check& check) {
 
 Measurement rise_of(const CheckedCurves& curves, const Check& check) {
   Measurement out = rise(curves.from_end_to_end());
-  if (check.resolution && std::abs(out.value) < *check.resolution) out.uncertainty = INFINITY;
+  if (check.resolution && std::abs(out.value) < *check.resolution) out.error = INFINITY;
   return out;
 }
 

@@ -66,7 +66,7 @@ struct Pairs {
     if (all == 0) return out;
     const auto difference = double(rising - falling);
     out.value = difference / double(all);
-    out.uncertainty = double(all - rising - falling) / double(all);
+    out.error = double(all - rising - falling) / double(all);
     out.significance = erfc(std::abs(difference) / std::sqrt(2 * variance));
     return out;
   }

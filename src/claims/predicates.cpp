@@ -22,18 +22,18 @@ class ErrorSum {
   double sum_ = 0;
 };
 
-// Returns the mean over the curves with at least least_points points. of_curve returns {value, uncertainty}
-// of one curve.
+// Returns the mean over the curves with at least least_points points. of_curve returns the number of one
+// curve.
 template <class OfCurve>
 Measurement mean_over(const Curves& in, OfCurve of_curve, std::size_t least_points = 2) {
   double sum = 0;
-  ErrorSum uncertainty(in.independent);
+  ErrorSum error(in.independent);
   std::size_t used = 0;
   for (const Curve& curve : in.curves) {
     if (curve.size() < least_points) continue;
-    const auto [value, error] = of_curve(curve);
-    sum += value;
-    uncertainty.add(error);
+    const Quantity one = of_curve(curve);
+    sum += one.value;
+    error.add(one.error);
     ++used;
   }
   Measurement out;
@@ -41,35 +41,31 @@ Measurement mean_over(const Curves& in, OfCurve of_curve, std::size_t least_poin
   out.curves = used;
   if (used == 0) return out;
   out.value = sum / double(used);
-  out.uncertainty = uncertainty.value() / double(used);
+  out.error = error.value() / double(used);
   return out;
 }
 
-struct Estimate {
-  double value, uncertainty;
-};
-
 // Returns ln of the ratio of two values.
-Estimate log_ratio(const CurvePoint& a, const CurvePoint& b) {
+Quantity log_ratio(const CurvePoint& a, const CurvePoint& b) {
   return {log(a.value / b.value), relative_error(a) + relative_error(b)};
 }
 
 Measurement exponential(Measurement m) {
   m.value = exp(m.value);
-  m.uncertainty *= m.value;
+  m.error *= m.value;
   return m;
 }
 
 Measurement mean_log_range(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
     const auto [low, high] = std::ranges::minmax_element(curve, {}, &CurvePoint::value);
-    return Estimate{log(high->value / low->value), relative_error(*low) + relative_error(*high)};
+    return Quantity{log(high->value / low->value), relative_error(*low) + relative_error(*high)};
   });
 }
 
 // Returns the slopes of ln(value) over ln(abscissa) between neighbouring points, with their errors.
-std::vector<Estimate> log_slopes(const Curve& curve) {
-  std::vector<Estimate> out;
+std::vector<Quantity> log_slopes(const Curve& curve) {
+  std::vector<Quantity> out;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const double run = log(curve[i].x / curve[i - 1].x);
     out.push_back({log(curve[i].value / curve[i - 1].value) / run,
@@ -78,13 +74,13 @@ std::vector<Estimate> log_slopes(const Curve& curve) {
   return out;
 }
 
-std::size_t steepest(const std::vector<Estimate>& slopes) {
-  return std::size_t(std::ranges::min_element(slopes, {}, &Estimate::value) - slopes.begin());
+std::size_t steepest(const std::vector<Quantity>& slopes) {
+  return std::size_t(std::ranges::min_element(slopes, {}, &Quantity::value) - slopes.begin());
 }
 
 // Returns ln(abscissa) at which the curve first falls to a level after the point `from`. The uncertainty is
 // half the distance of the points there.
-Estimate falls_to(const Curve& curve, std::size_t from, double level) {
+Quantity falls_to(const Curve& curve, std::size_t from, double level) {
   for (std::size_t i = from + 1; i < curve.size(); ++i) {
     if (curve[i].value > level) continue;
     const double a = log(curve[i - 1].x), b = log(curve[i].x);
@@ -111,7 +107,7 @@ Measurement share(const Curves& in) {
   for (const Curve& curve : in.curves) {
     if (curve.size() < 2) continue;
     const CurvePoint &first = curve.front(), &last = curve.back();
-    const auto [change, error] = log_ratio(last, first);
+    const auto [change, error, load_error] = log_ratio(last, first);
     part += change;
     part_error.add(error);
     whole += log(last.x / first.x);
@@ -119,18 +115,18 @@ Measurement share(const Curves& in) {
     ++out.curves;
   }
   out.value = part / whole;
-  out.uncertainty = (part_error.value() + std::abs(out.value) * whole_error.value()) / std::abs(whole);
+  out.error = (part_error.value() + std::abs(out.value) * whole_error.value()) / std::abs(whole);
   return out;
 }
 
 Measurement third_ratio(const Curves& in) {
   return exponential(mean_over(in, [](const Curve& curve) {
     const std::size_t third = std::max<std::size_t>(1, curve.size() / 3);
-    Estimate out{0, 0};
+    Quantity out{0, 0};
     for (std::size_t i = 0; i < third; ++i) {
-      const auto [change, error] = log_ratio(curve[curve.size() - third + i], curve[i]);
+      const auto [change, error, load_error] = log_ratio(curve[curve.size() - third + i], curve[i]);
       out.value += change / double(third);
-      out.uncertainty += error / double(third);
+      out.error += error / double(third);
     }
     return out;
   }));
@@ -146,7 +142,7 @@ Measurement range_ratio(const Curves& along, const Curves& against) {
   Measurement a = mean_log_range(along);
   const Measurement b = mean_log_range(against);
   const double ratio = a.value / b.value;
-  a.uncertainty = ratio * (a.uncertainty / a.value + b.uncertainty / b.value);
+  a.error = ratio * (a.error / a.value + b.error / b.value);
   a.value = ratio;
   a.curves += b.curves;
   return a;
@@ -187,7 +183,7 @@ Curve logarithms(Curve curve) {
 Measurement slope(const Curves& in, bool logarithmic) {
   return mean_over(in, [logarithmic, &in](const Curve& curve) {
     const Line line = fitted(logarithmic ? logarithms(curve) : curve, in.independent);
-    return Estimate{line.slope, line.slope_error};
+    return Quantity{line.slope, line.slope_error};
   });
 }
 
@@ -202,7 +198,7 @@ Measurement linearity(const Curves& in) {
     }
     const auto [left, right] = std::ranges::minmax(curve, {}, &CurvePoint::x);
     const double range = std::abs(line.slope) * (right.x - left.x);
-    return Estimate{std::sqrt(squares) / range, error / range};
+    return Quantity{std::sqrt(squares) / range, error / range};
   };
   return mean_over(in, of_curve, 3);  // two points always lie on a line
 }
@@ -212,7 +208,7 @@ Measurement plateau(const Curves& in) {
     const auto [low, high] = std::ranges::minmax_element(curve, {}, &CurvePoint::value);
     double mean = 0;
     for (const CurvePoint& p : curve) mean += p.value / double(curve.size());
-    return Estimate{(high->value - low->value) / mean, (high->error + low->error) / mean};
+    return Quantity{(high->value - low->value) / mean, (high->error + low->error) / mean};
   });
 }
 
@@ -232,7 +228,7 @@ Measurement level(const Curves& in) {
   }
   if (points == 0) return out;
   out.value = sum / double(points);
-  out.uncertainty = uncertainty.value() / double(points);
+  out.error = uncertainty.value() / double(points);
   return out;
 }
 
@@ -242,20 +238,20 @@ Measurement steepest_fall(const Curves& in) {
     const std::size_t at = steepest(slopes);
     std::size_t from = at, to = at;
     for (std::size_t i = 0; i < slopes.size(); ++i)
-      if (slopes[i].value - slopes[i].uncertainty <= slopes[at].value + slopes[at].uncertainty) {
+      if (slopes[i].value - slopes[i].error <= slopes[at].value + slopes[at].error) {
         from = std::min(from, i);
         to = std::max(to, i);
       }
     const double place = std::sqrt(curve[at].x * curve[at + 1].x);
-    return Estimate{place, std::max(place - curve[from].x, curve[to + 1].x - place)};
+    return Quantity{place, std::max(place - curve[from].x, curve[to + 1].x - place)};
   });
 }
 
 Measurement steepness(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
     const auto slopes = log_slopes(curve);
-    const Estimate& s = slopes[steepest(slopes)];
-    return Estimate{-s.value, s.uncertainty};
+    const Quantity& s = slopes[steepest(slopes)];
+    return Quantity{-s.value, s.error};
   });
 }
 
@@ -265,11 +261,23 @@ Measurement fall_width(const Curves& in) {
     const auto low = std::ranges::min_element(high, curve.end(), {}, &CurvePoint::value);
     const double range = high->value - low->value;
     const auto from = std::size_t(high - curve.begin());
-    const Estimate begin = falls_to(curve, from, high->value - range / 4);
-    const Estimate end = falls_to(curve, from, high->value - 3 * range / 4);
-    return Estimate{end.value - begin.value, begin.uncertainty + end.uncertainty};
+    const Quantity begin = falls_to(curve, from, high->value - range / 4);
+    const Quantity end = falls_to(curve, from, high->value - 3 * range / 4);
+    return Quantity{end.value - begin.value, begin.error + end.error};
   });
 }
+
+namespace {
+
+// Returns the smaller difference between a point and its neighbours: by about so much a curve may exceed an
+// extreme point beside it. 0 at the ends.
+double beyond_point(const Curve& curve, std::size_t i) {
+  if (i == 0 || i + 1 == curve.size()) return 0;
+  return std::min(std::abs(curve[i].value - curve[i - 1].value),
+                  std::abs(curve[i].value - curve[i + 1].value));
+}
+
+}  // namespace
 
 Measurement fold(const Curves& in) {
   Measurement out;
@@ -277,15 +285,16 @@ Measurement fold(const Curves& in) {
   for (const Curve& curve : in.curves) {
     if (curve.size() < 2) continue;
     ++out.curves;
-    CurvePoint top = curve.front();
-    for (const CurvePoint& p : curve) {
-      if (p.value > top.value) top = p;
-      const double drop = (top.value - p.value) / top.value;
+    std::size_t top = curve.size() - 1;
+    for (std::size_t i = curve.size(); i-- > 0;) {
+      if (curve[i].value > curve[top].value) top = i;
+      const double highest = curve[top].value, drop = (highest - curve[i].value) / highest;
       if (drop <= out.value) continue;
       out.value = drop;
-      out.uncertainty = (top.error + p.error) / top.value;
+      out.error =
+          (curve[top].error + curve[i].error + beyond_point(curve, top) + beyond_point(curve, i)) / highest;
     }
-    if (!(out.value >= 0)) out.value = out.uncertainty = 0;
+    if (!(out.value >= 0)) out.value = out.error = 0;
   }
   return out;
 }
@@ -309,7 +318,7 @@ Measurement equality(const Curve& first, const Curve& second, double resolution)
   if (n == 0) return out;
   out.value = std::sqrt(squares / double(n));
   const bool resolved = errors / double(n) <= resolution;
-  out.uncertainty = resolved ? 1 / std::sqrt(2 * double(n)) : INFINITY;
+  out.error = resolved ? 1 / std::sqrt(2 * double(n)) : INFINITY;
   return out;
 }
 

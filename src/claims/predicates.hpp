@@ -1,17 +1,18 @@
 #pragma once
 
-#include "claims/curves.hpp"
+#include "bristle/quantity.hpp"
 #include "claims/check.hpp"
+#include "claims/curves.hpp"
 
 #include <limits>
 
 namespace bristle::claims {
 
 // A measured number. If the error estimates in the result are correct, the true number lies within value +-
-// uncertainty.
-struct Measurement {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double uncertainty = std::numeric_limits<double>::quiet_NaN();
+// error.
+struct Measurement : Quantity {
+  Measurement()
+      : Quantity{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()} {}
   std::size_t curves = 0;   // number of curves measured on
   std::size_t missing = 0;  // points without a value, which are omitted
   double significance = std::numeric_limits<double>::quiet_NaN();  // two-sided p-value of a rank correlation
@@ -72,8 +73,8 @@ Measurement steepness(const Curves& curves);
 // quarter of its range. The uncertainty follows from the spacing of the points there. Mean over the curves.
 Measurement fall_width(const Curves& curves);
 
-// Returns the largest relative drop of the value below an earlier maximum along the curve; the largest of all
-// curves.
+// Returns the largest relative drop of the value below an earlier maximum as the abscissa falls; the largest
+// of all curves. The uncertainty contains what the curve may do between the points.
 Measurement fold(const Curves& curves);
 
 // Returns the fraction of the points at which first is greater than second, minus the fraction at which first

@@ -31,7 +31,7 @@ results::Dataset dataset_of(const std::vector<CheckResult>& checks) {
       [](C c) { return std::string(word(c.claim_verdict)); });
   add("declared", "number of the check in the experiment", [](C c) { return double(c.check.number); });
   add("measured", "measured number", [](C c) { return c.measured.value; });
-  add("uncertainty", "uncertainty of the measured number", [](C c) { return c.measured.uncertainty; });
+  add("uncertainty", "uncertainty of the measured number", [](C c) { return c.measured.error; });
   add("threshold", "required number", [](C c) { return c.check.threshold; });
   add("band", "greatest distance from the threshold that counts as near",
       [](C c) { return c.check.band.value_or(NAN); });

@@ -28,7 +28,6 @@ class CheckValidator {
       for (const sweep::Axis& column : axis.columns)
         variables_.push_back(results::axis_variable(column.name));
     }
-    if (experiment.sweep.base.loading.trace) axes_.emplace_back("node");
   }
 
   void validate() const {
@@ -38,9 +37,6 @@ class CheckValidator {
     if (!check_.against.empty()) known("against", check_.against, axes_);
     if (!check_.x.empty()) known("x", check_.x, variables_);
     for (const auto& [name, power] : check_.divide_by) known("divide_by/" + name, name, variables_);
-    if (check_.at) known("at/" + check_.at->first, check_.at->first, variables_);
-    if (check_.at && !experiment_.sweep.base.loading.trace)
-      fail("at", "is allowed for traced curves only (/load/trace)");
     for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
     for (const auto& [name, values] : check_.compare)
       for (const Selection& value : values) selects("compare/" + name, name, value);

@@ -68,7 +68,7 @@ std::string replays(const compare::Comparison& comparison, const results::Result
   std::set<std::size_t> listed;
   for (const compare::Difference& d : comparison.differences)
     if (listed.size() < kMaxShown && listed.insert(d.where).second)
-      text += fmt::format("To compute {} again:\n  {}\n", d.place, commands.of_value(d.where));
+      text += fmt::format("To compute {} again:\n  {}\n", d.place, commands.of_point(d.where));
   return text;
 }
 

@@ -202,7 +202,7 @@ std::optional<std::size_t> most_loaded(const Sweep& sweep) {
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const sweep::PointInput point = sweep.point(i);
     const double load = point.loading.R_n / point.setup.parameters.k_phi;
-    if (point.loading.z_0 || point.loading.trace || load <= most) continue;
+    if (point.loading.z_0 || load <= most) continue;
     most = load;
     out = i;
   }

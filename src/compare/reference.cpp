@@ -23,8 +23,8 @@ using results::Number;
 // variables without an estimate.
 constexpr double kIntegrator = 10;
 
-// Returns the dimensions of the points: the dimensions of the variable status, including nodes, or the
-// dimensions of the sweep if a damaged file has no status.
+// Returns the dimensions of the points: the dimensions of the variable status, or the dimensions of
+// the sweep if a damaged file has no status.
 std::vector<std::string> dimensions_of(const results::ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
 }

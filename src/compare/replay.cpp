@@ -12,7 +12,6 @@ namespace fs = std::filesystem;
 
 ReplayCommands::ReplayCommands(const results::ResultReader& result) {
   points_ = grid_size(result.sweep_shape());
-  nodes_ = result.variable("status").values.size() / points_;
   // In a checkout of bristle the program is where `make build` puts it; elsewhere it is installed.
   const char* own_build = "build/bristle";
   const std::string program = fs::exists(own_build) ? own_build : "bristle";
@@ -23,13 +22,11 @@ ReplayCommands::ReplayCommands(const results::ResultReader& result) {
   begin_ = fmt::format("{} run {} -o {} --point ", program, shell_quoted(file), output);
 }
 
-std::string ReplayCommands::of_value(std::size_t index) const {
-  return begin_ + std::to_string(index / nodes_);
-}
+std::string ReplayCommands::of_point(std::size_t index) const { return begin_ + std::to_string(index); }
 
 Json ReplayCommands::of_all_points() const {
   Json commands = Json::array();
-  for (std::size_t point = 0; point < points_; ++point) commands.push_back(of_value(point * nodes_));
+  for (std::size_t point = 0; point < points_; ++point) commands.push_back(of_point(point));
   return commands;
 }
 

@@ -13,15 +13,14 @@ class ReplayCommands {
  public:
   explicit ReplayCommands(const results::ResultReader& result);
 
-  // Returns the command of the point to which a value of the variable status belongs. index: index of the
-  // value, in row-major order
-  std::string of_value(std::size_t index) const;
+  // Returns the command of the point with this index.
+  std::string of_point(std::size_t index) const;
   // Returns the commands of all points of the sweep in row-major order, as a JSON array.
   Json of_all_points() const;
 
  private:
-  std::size_t points_ = 0, nodes_ = 1;  // points of the sweep; nodes of the curve at each point, or 1
-  std::string begin_;                   // start of the command, before the number of the point
+  std::size_t points_ = 0;  // number of points of the sweep
+  std::string begin_;       // start of the command, before the number of the point
 };
 
 }  // namespace bristle::compare

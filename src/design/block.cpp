@@ -113,7 +113,6 @@ Design read_design(const Experiment& experiment) {
       design.start.emplace(range.name, *value);
   if (load.has("z_0") && design.jump_margin > 0)
     block["constraints"].fail("jump_margin needs a load R_n: at a given gap, no gap jumps");
-  if (load.has("trace")) block.fail("cannot be combined with a trace of R_n(z_0)");
   return design;
 }
 

@@ -134,7 +134,7 @@ std::vector<Working> working_range(const Sweep& sweep, const std::vector<results
   std::vector<Working> out;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto value = [&](const char* name) {
-      return points[i].layout->has(name) ? points[i].at(name).front() : kNone;
+      return points[i].layout->has(name) ? points[i].at(name) : kNone;
     };
     out.push_back({sweep::si_scales(sweep.point(i)).velocity, value("R_n_in_N"), value("phase"),
                    value("load_over_lift_off")});

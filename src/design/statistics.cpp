@@ -15,7 +15,7 @@ constexpr double kNormal95 =
 
 Estimate value_of(const results::PointRecord& record, const std::string& variable) {
   const std::string error = variable + "_err";
-  return {record.at(variable).front(), record.layout->has(error) ? record.at(error).front() : 0};
+  return {record.at(variable), record.layout->has(error) ? record.at(error) : 0};
 }
 
 namespace {

@@ -103,15 +103,7 @@ Scatter read_scatter(const Document& d) {
   return scatter;
 }
 
-Trace read_trace(const Json& json) {
-  Trace trace;
-  trace.to = json.value("to", trace.to);
-  trace.resolution = json.value("resolution", trace.resolution);
-  trace.nodes = json.value("nodes", trace.nodes);
-  return trace;
-}
-
-Recording read_recording(const Document& d, const Orientation& orientation, const Loading& loading) {
+Recording read_recording(const Document& d, const Orientation& orientation) {
   const Json& json = d.json();
   Recording record;
   for (const Json& what : json.value("record", Json::array())) {
@@ -125,8 +117,6 @@ Recording read_recording(const Document& d, const Orientation& orientation, cons
     if (record.trajectories.empty())
       d.fail("/trajectories", "is missing; recording trajectories needs {\"theta_0_deg\": [...]}");
   }
-  const bool any = record.bristles || record.slab_force || !record.trajectories.empty();
-  if (loading.trace && any) d.fail("/record", "a trace of R_n(z_0) records observables only");
   return record;
 }
 
@@ -142,27 +132,24 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
         in_si("pressure_Pa") ? "/si/pressure_Pa" : "/sweep/pressure_Pa",
         "is given, and so is R_n_N; both are the load: remove one of them (a null removes an inherited key)");
   const bool by_load = given_by("R_n", "R_n_N") || by_pressure, by_gap = given_by("z_0", "z_0_m");
-  const bool by_trace = json.contains("trace");
-  if (by_load + by_gap + by_trace == 0) {
+  if (!by_load && !by_gap) {
     if (d.json().contains("si"))
       d.fail("/si",
              "the load is missing: none of R_n_N, pressure_Pa and z_0_m is given, here or in the sweep");
-    d.fail("/load", "none of R_n, z_0 and trace is given, here or in the sweep");
+    d.fail("/load", "neither R_n nor z_0 is given, here or in the sweep");
   }
-  if (by_load + by_gap + by_trace > 1) {
+  if (by_load && by_gap) {
     std::vector<std::string> given;
-    for (const char* name : {"R_n", "z_0", "trace"})
+    for (const char* name : {"R_n", "z_0"})
       if (json.contains(name)) given.push_back(fmt::format("/load/{}", name));
     for (const char* name : {"R_n_N", "pressure_Pa", "z_0_m"})
       if (in_si(name)) given.push_back(fmt::format("/si/{}", name));
     for (const char* name : {"R_n", "R_n_N", "pressure_Pa", "z_0", "z_0_m"})
       if (varies(axes, name)) given.push_back(fmt::format("/sweep/{}", name));
-    d.fail("/load", fmt::format("more than one of R_n, z_0 and trace is given: {}; keep one (a null removes "
-                                "an inherited key)",
+    d.fail("/load", fmt::format("R_n and z_0 are both given: {}; keep one (a null removes an inherited key)",
                                 fmt::join(given, ", ")));
   }
   Loading loading;
-  if (by_trace) loading.trace = read_trace(json["trace"]);
   if (by_gap) loading.z_0 = json.value("z_0", 0.0);
   loading.R_n = json.value("R_n", 0.0);
   loading.path = from_word<LoadPath>(json.value("path", "loading"));
@@ -175,7 +162,7 @@ std::optional<double> read_nominal_friction(const Document& d, const std::vector
   const char* place =
       load.contains("nominal_friction") ? "/load/nominal_friction" : "/sweep/nominal_friction";
   if (!load.contains("nominal_friction") && !varies(axes, "nominal_friction")) return {};
-  if (input.loading.z_0 || input.loading.trace) d.fail(place, "needs a target load R_n, which it multiplies");
+  if (input.loading.z_0) d.fail(place, "needs a target load R_n, which it multiplies");
   for (const char* name : {"mu_c", "tau_f", "tau_f_Pa"})
     if (varies(axes, name) || input.si.contains(name) || d.chosen(JsonPointer("/model") / name))
       d.fail(
@@ -197,8 +184,7 @@ std::string read_jump_axis(const Document& d, const Experiment& e) {
                d.inherits(JsonPointer("/locate_jumps"))
                    ? "; a file that this one extends asks for these jumps: \"locate_jumps\": null does not"
                    : ""));
-  if (e.sweep.base.loading.z_0 || e.sweep.base.loading.trace)
-    d.fail("/locate_jumps", "needs a load R_n: at a given gap, and along a traced curve, no gap jumps");
+  if (e.sweep.base.loading.z_0) d.fail("/locate_jumps", "needs a load R_n: at a given gap, no gap jumps");
   return name;
 }
 
@@ -236,7 +222,7 @@ Experiment read(const Document& d) {
   e.sweep.base.nominal_friction = read_nominal_friction(d, e.sweep.axes, e.sweep.base);
   apply_si_units(e.sweep.base);
   apply_nominal_friction(e.sweep.base);
-  e.sweep.record = read_recording(d, e.sweep.base.setup.orientation, e.sweep.base.loading);
+  e.sweep.record = read_recording(d, e.sweep.base.setup.orientation);
   e.locate_jumps = read_jump_axis(d, e);
   check_overrides(d);
   check_points(d, e);

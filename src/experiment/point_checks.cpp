@@ -37,12 +37,8 @@ void check_gap(const json::Document& d, const Experiment& experiment) {
     const Parameters& p = point.setup.parameters;
     const double highest = sin(p.phi_0) + kWallRangesAboveContact * contact_range(p);
     const auto where = [&] { return sweep.size() > 1 ? fmt::format(" at {}", sweep.place(i)) : ""; };
-    if (const auto& trace = point.loading.trace; trace && !(trace->to < sin(p.phi_0)))
-      d.fail("/load/trace/to",
-             fmt::format("{} is not below first contact{}; allowed: less than sin(phi_0) = {:.6f}", trace->to,
-                         where(), sin(p.phi_0)));
-    if (!point.loading.z_0 && !point.loading.trace) return;
-    if (!point.loading.z_0 || *point.loading.z_0 <= highest) continue;
+    if (!point.loading.z_0) return;
+    if (*point.loading.z_0 <= highest) continue;
     const bool wall = p.contact == Contact::wall;
     const std::string reach = wall ? fmt::format(" + {:g} lambda_z", kWallRangesAboveContact) : "";
     const char* beyond = wall ? ", beyond the wall" : "";
@@ -113,8 +109,6 @@ void check_lattice(const json::Document& d, const Experiment& experiment) {
       sweep_of(experiment)
           .first_values({"L_x", "L_y", "spacing", "L_x_m", "L_y_m", "spacing_m", "r0_m", "rows", "sampling"});
   const bool used = sweep.on_lattice();
-  if (used && sweep.base.loading.trace)
-    d.fail("/load/trace", "cannot be combined with \"sampling\": \"lattice\"; use quadrature or list");
   if (sweep.record.slab_force && !used) d.fail("/record", "slab_force needs \"sampling\": \"lattice\"");
   for (const char* key : {"seed", "rows", "t_1"})
     if (!used && (d.json()["orientation"].contains(key) || sweep.varies(key)))

@@ -71,7 +71,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
   else if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);
   const Loading& load = e.sweep.base.loading;
   if (load.z_0) add("z_0", *load.z_0);
-  else if (!load.trace) add("R_n", load.R_n);
+  else add("R_n", load.R_n);
   return parts;
 }
 

@@ -86,18 +86,6 @@ void add_points(const ResultReader& result, const std::string& table, std::vecto
   }
 }
 
-// Removes the rows of nodes that a traced curve does not have.
-void drop_absent(std::vector<Array>& columns) {
-  const auto status =
-      std::ranges::find(columns, "status", [](const Array& column) { return column.about.name; });
-  if (status == columns.end()) return;
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < status->values.size(); ++i)
-    if (status->values[i] != double(PointStatus::absent)) kept.push_back(i);
-  if (kept.size() == status->values.size()) return;
-  for (Array& column : columns) column = at(std::move(column), kept);
-}
-
 // Returns a cell, quoted if necessary. Text that begins like a formula gets an apostrophe, because
 // spreadsheets would evaluate it.
 std::string quoted(std::string cell) {
@@ -134,7 +122,6 @@ Dataset table_of(const ResultReader& result, const std::string& group) {
     else if (const Array& array = result.variable(path);
              array.shape == like.shape && array.dimensions == like.dimensions)
       columns.push_back(array);
-  drop_absent(columns);
   Dataset table;
   table.add_dimension(row_numbers("row", "row number", columns.empty() ? 0 : columns.front().values.size()));
   for (Array& column : columns) table.add(std::move(column));

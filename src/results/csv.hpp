@@ -11,7 +11,7 @@ namespace bristle::results {
 // Returns a number with all digits; empty for NaN.
 std::string csv_number(double value);
 
-// Returns a row for each point of the sweep (for each node of a traced curve) or for each row of a recorded
+// Returns a row for each point of the sweep or for each row of a recorded
 // table, with its coordinates, words for codes, and errors beside values. group: "" for the root. Throws
 // InputError if the result has no such group.
 Dataset table_of(const ResultReader& result, const std::string& group);

@@ -60,7 +60,7 @@ class ResultReader {
   std::vector<std::string> axes() const;            // names of the variables of the sweep's axes
   std::vector<std::string> sample_columns() const;  // variables over the axis "sample"; empty without it
   std::vector<std::string> coordinates() const;     // the names that place a point: axes and sample columns
-  std::vector<std::size_t> sweep_shape() const;     // shape without the nodes of traced curves
+  std::vector<std::size_t> sweep_shape() const;     // number of values of each axis
 
  private:
   struct Open;  // the open file

@@ -44,57 +44,48 @@ Rows read_rows(const ResultReader& result, const std::string& table, std::size_t
   return rows;
 }
 
-bool same(std::span<const double> a, std::span<const double> b) {
-  return std::ranges::equal(a, b, same_bits);
-}
-
 bool same(const Rows& a, const Rows& b) {
-  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return same(x, y); });
+  return std::ranges::equal(a, b,
+                            [](const auto& x, const auto& y) { return std::ranges::equal(x, y, same_bits); });
 }
 
 }  // namespace
 
 PointLayout::PointLayout(const Sweep& sweep) {
   const Loading& loading = sweep.base.loading;
-  const bool searched = !loading.z_0 && !loading.trace;
+  const bool searched = !loading.z_0;
   if (searched) groups.emplace_back("load_error");
   for (const ResultVariable& variable : result_variables(sweep)) add(variable, searched);
-  variables.push_back({{"passages", "number of passages computed for the point", "N", "", Number::integer},
-                       [](const PointResult& p) { return double(p.passages); },
-                       0});
-  const auto add_code = [&](const std::string& name, const std::string& long_name, Words meanings,
-                            std::function<double(const PointResult&)> value, auto missing) {
-    variables.push_back(
-        {{name, long_name, "", "", Number::code, texts(meanings)}, std::move(value), double(missing)});
+  const auto add_number = [&](Column column, auto value) {
+    variables.push_back(std::move(column));
+    append_.push_back(
+        [value](const PointResult& p, std::vector<double>& out) { out.push_back(double(value(p))); });
   };
-  add_code(
-      "status", "outcome of the point", words<PointStatus>(),
-      [](const PointResult& p) { return double(p.status); }, PointStatus::absent);
-  add_code(
-      "start", "whether bristles bend or are crushed as the slab comes down", words<Start>(),
-      [](const PointResult& p) { return double(p.start); }, Start::undetermined);
-  add_code(
-      "phase", "whether tips stay on the slab or bounce", words<BrushPhase>(),
-      [](const PointResult& p) { return double(phase_of(p)); }, BrushPhase::unknown);
+  add_number({"passages", "number of passages computed for the point", "N", "", Number::integer},
+             [](const PointResult& p) { return p.passages; });
+  const auto add_code = [&](const std::string& name, const std::string& long_name, Words meanings,
+                            auto value) {
+    add_number({name, long_name, "", "", Number::code, texts(meanings)}, value);
+  };
+  add_code("status", "outcome of the point", words<PointStatus>(),
+           [](const PointResult& p) { return p.status; });
+  add_code("start", "whether bristles bend or are crushed as the slab comes down", words<Start>(),
+           [](const PointResult& p) { return p.start; });
+  add_code("phase", "whether tips stay on the slab or bounce", words<BrushPhase>(),
+           [](const PointResult& p) { return phase_of(p); });
   if (sweep.base.setup.orientation.distribution != Distribution::von_mises) {  // as lift_off_load
-    add_code(
-        "lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside",
-        words<LiftOffDomain>(), [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
-        LiftOffDomain::tested);
+    add_code("lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside",
+             words<LiftOffDomain>(), [](const PointResult& p) { return lift_off_domain(p.parameters); });
     variables.back().equation = "docs/lift-off.md";
   }
   for (const ValidityRow& row : kValidity)
-    add_code(
-        row.name, fmt::format("beyond a limit of the model: {}", row.meaning), words<Exceeds>(),
-        [&row](const PointResult& p) { return double(exceeds(row, p)); }, Exceeds::unknown);
-  if (loading.trace)
-    add_code("branch", "paths of the slab on which the node lies", words<Branch>(), {}, Branch::absent);
+    add_code(row.name, fmt::format("beyond a limit of the model: {}", row.meaning), words<Exceeds>(),
+             [&row](const PointResult& p) { return exceeds(row, p); });
   if (sweep.record.bristles) tables.emplace_back("bristles");
   if (!sweep.record.trajectories.empty()) tables.emplace_back("trajectories");
   if (sweep.record.slab_force) tables.emplace_back("slab_force");
-  if (loading.trace) nodes = std::size_t(loading.trace->nodes);
-  std::string names = fmt::format("{}: ", nodes.value_or(1));
-  for (const Variable& variable : variables) {
+  std::string names;
+  for (const Column& variable : variables) {
     numbers_.emplace(variable.name, numbers_.size());
     names += variable.name + ",";
   }
@@ -105,9 +96,10 @@ PointLayout::PointLayout(const Sweep& sweep) {
 
 // Adds the variable, its error and, if the gap was searched for, the part of the error due to the load.
 void PointLayout::add(const ResultVariable& variable, bool searched) {
-  const auto add_part = [&](Column column, double Quantity::*part) {
-    variables.push_back(
-        {std::move(column), [of = variable.of, part](const PointResult& p) { return of(p).*part; }});
+  std::vector<double Quantity::*> parts;
+  const auto add_part = [&](const Column& column, double Quantity::*part) {
+    variables.push_back(column);
+    parts.push_back(part);
   };
   Column column = variable;
   column.ancillary = variable.errors == Errors::none ? "status" : variable.name + "_err status";
@@ -122,70 +114,53 @@ void PointLayout::add(const ResultVariable& variable, bool searched) {
   column.name = variable.name + "_err";
   column.long_name = "estimated numerical error of " + variable.name;
   if (variable.errors != Errors::none) add_part(column, &Quantity::error);
+  append_.push_back([of = variable.of, parts](const PointResult& p, std::vector<double>& out) {
+    const Quantity quantity = of(p);
+    for (const auto part : parts) out.push_back(quantity.*part);
+  });
+}
+
+std::vector<double> PointLayout::values_of(const PointResult& point) const {
+  std::vector<double> out;
+  out.reserve(variables.size());
+  for (const Append& append : append_) append(point, out);
+  return out;
 }
 
 Layout layout_of(const Sweep& sweep) { return std::make_shared<const PointLayout>(sweep); }
 
-std::span<const double> PointRecord::at(const std::string& variable) const {
-  const std::size_t count = nodes();
-  return std::span(values).subspan(layout->number(variable) * count, count);
-}
-
 std::string why_missing(const PointRecord& record, const ResultVariable& variable) {
   if (variable.name.find("lift_off") != std::string::npos && record.layout->has("lift_off_domain"))
-    if (const auto domain = LiftOffDomain(std::lround(record.at("lift_off_domain").front()));
+    if (const auto domain = LiftOffDomain(std::lround(record.at("lift_off_domain")));
         domain != LiftOffDomain::tested)
       return outside_of(domain);
-  if (PointStatus(std::lround(record.at("status").front())) == PointStatus::undefined)
+  if (PointStatus(std::lround(record.at("status"))) == PointStatus::undefined)
     return "it is a ratio to a load or friction of zero";
   return variable.why_missing;
 }
 
 PointRecord record_of(const Layout& layout, const PointResult& result, const Recorded& recorded) {
-  PointRecord record{layout};
-  for (const auto& variable : layout->variables) record.values.push_back(variable.value(result));
+  PointRecord record{layout, layout->values_of(result)};
   for (const std::string& table : layout->tables) record.tables.push_back(table_rows(table, recorded));
   return with_unified_nan(std::move(record));
 }
 
-PointRecord record_of(const Layout& layout, const std::vector<CurveNode>& curve) {
-  PointRecord record{layout};
-  for (const auto& variable : layout->variables)
-    for (const CurveNode& node : curve)
-      record.values.push_back(variable.value ? variable.value(node.result) : double(node.branch));
-  return with_unified_nan(std::move(record));
-}
-
 PointRecord failed_record(const Layout& layout, const std::string& error) {
-  const PointResult result = without_values(PointStatus::failed);
-  PointRecord record =
-      layout->nodes ? record_of(layout, {{result, Branch::unstable}}) : record_of(layout, result, {});
+  PointRecord record = record_of(layout, without_values(PointStatus::failed), {});
   record.failure = error;
   return record;
 }
 
 PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::size_t index) {
   const Layout layout = layout_of(sweep);
-  const std::size_t nodes = layout->nodes.value_or(1);
-  std::vector<std::size_t> shape = sweep.shape();
-  if (layout->nodes) shape.push_back(nodes);
-  const auto read = [&](const std::string& name) {
-    const Array& array = result.variable(name);
-    if (array.shape != shape)
-      throw RunError(fmt::format("{} has the shape ({}), but the sweep has ({})", name,
-                                 fmt::join(array.shape, ", "), fmt::join(shape, ", ")));
-    const auto first = array.values.begin() + long(index * nodes);
-    return std::vector<double>(first, first + long(nodes));
-  };
-  std::size_t present = nodes;
-  if (layout->nodes) {
-    const auto branch = read("branch");
-    present = std::size_t(std::ranges::find(branch, double(Branch::absent)) - branch.begin());
-  }
+  const std::vector<std::size_t> shape = sweep.shape();
   PointRecord record{layout};
-  for (const auto& variable : layout->variables) {
-    const std::vector<double> values = read(variable.name);
-    record.values.insert(record.values.end(), values.begin(), values.begin() + long(present));
+  for (const Column& variable : layout->variables) {
+    const Array& array = result.variable(variable.name);
+    if (array.shape != shape)
+      throw RunError(fmt::format("{} has the shape ({}), but the sweep has ({})", variable.name,
+                                 fmt::join(array.shape, ", "), fmt::join(shape, ", ")));
+    record.values.push_back(array.values[index]);
   }
   for (const std::string& table : layout->tables) record.tables.push_back(read_rows(result, table, index));
   const auto failures = result.failures();
@@ -198,26 +173,23 @@ std::string failure_name(std::size_t index) { return fmt::format("point_{}", ind
 
 bool is_consistent(const PointRecord& record) {
   const PointLayout& layout = *record.layout;
-  const std::size_t nodes = record.nodes();
-  if (record.values.size() != nodes * layout.variables.size() || record.tables.size() != layout.tables.size())
+  if (record.values.size() != layout.variables.size() || record.tables.size() != layout.tables.size())
     return false;
-  if (layout.nodes ? nodes > *layout.nodes : nodes != 1) return false;
   for (std::size_t i = 0; i < record.tables.size(); ++i) {
     const Rows& rows = record.tables[i];
     if (rows.size() != table_columns(layout.tables[i]).size()) return false;
     for (const auto& column : rows)
       if (column.size() != rows.front().size()) return false;
   }
-  return std::ranges::all_of(record.at("status"), [](double s) {
-    return s >= 0 && s < double(words<PointStatus>().size()) && s == std::floor(s);
-  });
+  const double status = record.at("status");
+  return status >= 0 && status < double(words<PointStatus>().size()) && status == std::floor(status);
 }
 
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b) {
   const PointLayout& layout = *a.layout;
   std::vector<std::string> out;
-  for (const auto& variable : layout.variables)
-    if (!same(a.at(variable.name), b.at(variable.name))) out.push_back(variable.name);
+  for (std::size_t i = 0; i < layout.variables.size(); ++i)
+    if (!same_bits(a.values[i], b.values[i])) out.push_back(layout.variables[i].name);
   for (std::size_t i = 0; i < layout.tables.size(); ++i)
     if (!same(a.tables[i], b.tables[i])) out.push_back(layout.tables[i]);
   return out;

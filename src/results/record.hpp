@@ -1,14 +1,11 @@
 #pragma once
 
-#include "bristle/ensemble/trace.hpp"
+#include "bristle/ensemble/point.hpp"
 #include "results/tables.hpp"
 #include "results/variables.hpp"
 
 #include <functional>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -22,25 +19,26 @@ class PointLayout {
  public:
   explicit PointLayout(const Sweep& sweep);
 
-  // A variable over the sweep. Its name is the path from the root.
-  struct Variable : Column {
-    std::function<double(const PointResult&)> value;            // empty for the variable "branch"
-    double missing = std::numeric_limits<double>::quiet_NaN();  // value at nodes that a curve lacks
-  };
-  std::vector<Variable> variables;  // in the order in which the file is made
+  // The variables over the sweep, in the order in which the file is made. A name is the path from the root.
+  std::vector<Column> variables;
   std::vector<std::string> groups;  // groups of these variables
   std::vector<std::string> tables;
-  std::optional<std::size_t> nodes;  // largest number of nodes of a curve; none without curves
 
   // Returns the index of a variable. Throws std::out_of_range if there is none of this name.
   std::size_t number(const std::string& name) const { return numbers_.at(name); }
   bool has(const std::string& name) const { return numbers_.contains(name); }
-  // Returns 16 hexadecimal digits, which differ for other variables, tables or numbers of nodes.
+  // Returns 16 hexadecimal digits, which differ for other variables or tables.
   const std::string& digest() const { return digest_; }
+  // Returns the values of all variables at a point.
+  std::vector<double> values_of(const PointResult& point) const;
 
  private:
+  // Appends the values of some variables that follow each other.
+  using Append = std::function<void(const PointResult&, std::vector<double>&)>;
+
   void add(const ResultVariable& variable, bool searched);
 
+  std::vector<Append> append_;                            // all variables, in their order
   std::unordered_map<std::string, std::size_t> numbers_;  // indices of the variables, by name
   std::string digest_;
 };
@@ -51,18 +49,16 @@ Layout layout_of(const Sweep& sweep);
 // `verify --rerun` reads them from results. Every NaN has the same bits.
 struct PointRecord {
   Layout layout;
-  std::vector<double> values{};  // values by variable, then by node of a curve
+  std::vector<double> values{};  // by variable
   std::vector<Rows> tables{};    // columns of each table, except the first, "point"
   std::string failure{};         // the error of a point with the status failed
 
-  std::size_t nodes() const { return values.size() / layout->variables.size(); }  // 1 without a curve
-  // Returns the value at each node. Throws std::out_of_range if there is no such variable.
-  std::span<const double> at(const std::string& variable) const;
+  // Returns the value of a variable. Throws std::out_of_range if there is no such variable.
+  double at(const std::string& variable) const { return values[layout->number(variable)]; }
 };
 
 PointRecord record_of(const Layout& layout, const PointResult& result, const Recorded& recorded);
-PointRecord record_of(const Layout& layout, const std::vector<CurveNode>& curve);
-// Returns the record of a point that an error ended: status failed, no values, a curve with one node.
+// Returns the record of a point that an error ended: status failed, no values.
 PointRecord failed_record(const Layout& layout, const std::string& error);
 
 // Returns why a variable has no value at a point that has values, in words: the lift-off load, because its

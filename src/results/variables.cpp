@@ -1,6 +1,5 @@
 #include "results/variables.hpp"
 
-#include "bristle/ensemble/trace.hpp"
 #include "bristle/model/lift_off.hpp"
 
 #include <fmt/format.h>
@@ -310,7 +309,7 @@ std::vector<ResultVariable> result_variables(const Sweep& sweep) {
                        exact(&PointResult::incomplete_theta_0),
                        Errors::none,
                        true});
-  const bool searched = !sweep.base.loading.z_0 && !sweep.base.loading.trace;
+  const bool searched = !sweep.base.loading.z_0;
   const bool si = !sweep.base.si.empty();
   const bool von_mises = sweep.base.setup.orientation.distribution == Distribution::von_mises;
   if (searched) {

@@ -159,7 +159,7 @@ void create_group(hid_t file, const Dataset& data, const std::map<std::string, h
 
 struct ResultWriter::Open {
   h5::Handle file;
-  h5::Shape shape;  // shape of the sweep, and of the nodes of traced curves
+  h5::Shape shape;  // of the sweep
   std::vector<std::string> names;
   std::vector<h5::Handle> axes;
   std::vector<h5::BlockWriter> variables;  // in the order of the layout
@@ -170,13 +170,8 @@ struct ResultWriter::Open {
       add_scale(axis_array(axis));
       if (!axis.columns.empty()) create_sample(axis);
     }
-    if (layout.nodes) {
-      Array nodes = row_numbers("node", "index of the node, from first contact down", *layout.nodes);
-      nodes.about.symbol = "node";
-      add_scale(nodes);
-    }
     for (const std::string& group : layout.groups) h5::create_group(file, group);
-    for (const PointLayout::Variable& variable : layout.variables) {
+    for (const Column& variable : layout.variables) {
       h5::Handle dataset = create_column(file, variable, shape);
       for (unsigned d = 0; d < axes.size(); ++d) h5::attach_scale(dataset, axes[d], d);
       variables.emplace_back(std::move(dataset), shape);
@@ -229,13 +224,7 @@ ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::write(std::size_t index, const PointRecord& record) {
   h5::in_file(partial(), [&] {
-    const auto value = record.values.begin();
-    const auto nodes = long(record.nodes());
-    for (std::size_t i = 0; i < layout_.variables.size(); ++i) {
-      std::vector<double> values(value + long(i) * nodes, value + long(i + 1) * nodes);
-      values.resize(layout_.nodes.value_or(1), layout_.variables[i].missing);
-      open_->variables[i].append(values);
-    }
+    for (std::size_t i = 0; i < record.values.size(); ++i) open_->variables[i].append({record.values[i]});
     for (std::size_t i = 0; i < layout_.tables.size(); ++i) {
       Rows rows = record.tables[i];
       rows.insert(rows.begin(), std::vector<double>(rows.front().size(), double(index)));

@@ -222,7 +222,6 @@ void read_analysis(const Experiment& experiment) {
   if (design.exists())
     block.fail("cannot be combined with /design, which computes the indices of its tolerances itself");
   if (!sample.exists()) block.fail("needs a sample in the sweep (/sweep/sample)");
-  if (experiment.sweep.base.loading.trace) block.fail("cannot be combined with a trace of R_n(z_0)");
   if (!analysis_of(experiment).sobol_indices.empty() && !sample.has("sobol"))
     block["sobol_indices"].fail("needs a sample by sobol, of which the program makes the design for indices");
 }

@@ -97,8 +97,8 @@ std::pair<double, double> band_of(const Line& line, const Interval& jump) {
 }  // namespace
 
 Gap gap_of(const results::PointRecord& record) {
-  const double z_0 = record.at("z_0").front();
-  const auto status = PointStatus(int(record.at("status").front()));
+  const double z_0 = record.at("z_0");
+  const auto status = PointStatus(int(record.at("status")));
   return {status == PointStatus::unreachable || std::isfinite(z_0), z_0, status == PointStatus::ambiguous};
 }
 

@@ -100,18 +100,18 @@ void KeyedPoints::adopt_into(results::Journal& journal) const {
     if (other != journal.path()) journal.adopt(other, layout_, places);
 }
 
-void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,
-                      const std::string& result, const std::vector<std::string>& arguments) {
+void require_complete(const Sweep& sweep, const std::vector<std::size_t>& missing, const std::string& result,
+                      const std::vector<std::string>& arguments) {
   if (missing.empty()) return;
   std::vector<std::string> points;
-  for (const std::size_t i : missing) points.push_back(fmt::format("{} ({})", i, experiment.sweep.place(i)));
+  for (const std::size_t i : missing) points.push_back(fmt::format("{} ({})", i, sweep.place(i)));
   const auto shards = shard_journals(result);
-  throw InputError(fmt::format(
-      "{}: {} of {} points are missing in the journals of its folder: {}.\n{}{}", result, missing.size(),
-      experiment.sweep.size(), list_of(points),
-      foreign_journals(KeyedPoints(experiment.sweep, shard_points({}, experiment.sweep.size())), result),
-      shards.empty() ? fmt::format("To compute them:\n  {}", command_with(arguments, ""))
-                     : where_missing(missing, shards.back().first.count, arguments)));
+  throw InputError(fmt::format("{}: {} of {} points are missing in the journals of its folder: {}.\n{}{}",
+                               result, missing.size(), sweep.size(), list_of(points),
+                               foreign_journals(KeyedPoints(sweep, shard_points({}, sweep.size())), result),
+                               shards.empty()
+                                   ? fmt::format("To compute them:\n  {}", command_with(arguments, ""))
+                                   : where_missing(missing, shards.back().first.count, arguments)));
 }
 
 std::string command_with(const std::vector<std::string>& arguments, const std::string& option) {

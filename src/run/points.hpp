@@ -33,8 +33,8 @@ class KeyedPoints {
 // Throws InputError if points are missing. The message names the points, their shards, the command that
 // computes them, and the journals of shards that have no point of the experiment. arguments: of the command
 // line of this run, from which the command is made
-void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,
-                      const std::string& result, const std::vector<std::string>& arguments);
+void require_complete(const Sweep& sweep, const std::vector<std::size_t>& missing, const std::string& result,
+                      const std::vector<std::string>& arguments);
 
 // Returns the command of a run with `option` in place of --shard, --complete and --force. arguments: of the
 // run's command line

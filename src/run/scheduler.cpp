@@ -132,18 +132,10 @@ void Scheduler::fail(std::exception_ptr error) {
 PointReport Scheduler::solve(std::size_t index, const PassageRunner& run) const {
   const auto record = [&] {
     const sweep::PointInput input = sweep_.point(index);
-    const auto add_input = [&](PointResult& result) {
-      result.parameters = input.setup.parameters;
-      result.si = sweep::si_scales(input);
-    };
-    if (input.loading.trace) {
-      std::vector<CurveNode> curve = trace_curve(input.setup, *input.loading.trace, run);
-      for (CurveNode& node : curve) add_input(node.result);
-      return results::record_of(layout_, curve);
-    }
     Recorded recorded;
     PointResult result = solve_point(input.setup, input.loading, run, sweep_.record, &recorded);
-    add_input(result);
+    result.parameters = input.setup.parameters;
+    result.si = sweep::si_scales(input);
     return results::record_of(layout_, result, recorded);
   };
   try {

@@ -18,39 +18,29 @@ constexpr double kPinnedShare = 0.1;  // fraction of R_x
 
 }  // namespace
 
-Summary::Example Summary::example_of(const results::PointRecord& record, std::size_t index,
-                                     std::size_t node) {
+Summary::Example Summary::example_of(const results::PointRecord& record, std::size_t index) {
   const auto value = [&](const char* name) {
-    return record.layout->has(name) ? record.at(name)[node] : std::numeric_limits<double>::quiet_NaN();
+    return record.layout->has(name) ? record.at(name) : std::numeric_limits<double>::quiet_NaN();
   };
   return {index, value("incomplete_theta_0"), value("R_n_largest"), value("z_0_of_R_n_largest")};
 }
 
 void Summary::add(const results::PointRecord& record, std::size_t index) {
-  const std::span<const double> statuses = record.at("status");
-  for (std::size_t i = 0; i < statuses.size(); ++i) {
-    const auto status = PointStatus(std::lround(statuses[i]));
-    ++counts_[std::size_t(status)];
-    if (std::ranges::count(kWithoutValues, status) > 0)
-      first_.try_emplace(status, example_of(record, index, i));
-  }
+  const auto status = PointStatus(std::lround(record.at("status")));
+  ++counts_[std::size_t(status)];
+  if (std::ranges::count(kWithoutValues, status) > 0) first_.try_emplace(status, example_of(record, index));
   phases_.add([&](const std::string& name) {
-    const auto values = record.layout->has(name) ? record.at(name) : std::span<const double>();
-    return std::vector(values.begin(), values.end());
+    return record.layout->has(name) ? std::vector{record.at(name)} : std::vector<double>();
   });
-  bool pinned = false;
-  for (const double share : record.at("pinned_share_R_x")) {
-    pinned = pinned || share > kPinnedShare;
-    if (share > largest_pinned_share_) largest_pinned_share_ = share;
-  }
-  pinned_ += pinned;
-  judged_ += std::ranges::any_of(record.at(kValidity.front().name),
-                                 [](double flag) { return flag != double(Exceeds::unknown); });
+  const double share = record.at("pinned_share_R_x");
+  pinned_ += share > kPinnedShare;
+  if (share > largest_pinned_share_) largest_pinned_share_ = share;
+  judged_ += record.at(kValidity.front().name) != double(Exceeds::unknown);
   for (std::size_t row = 0; row < kValidity.size(); ++row)
-    exceeding_[row] += std::ranges::count(record.at(kValidity[row].name), double(Exceeds::yes)) > 0;
+    exceeding_[row] += record.at(kValidity[row].name) == double(Exceeds::yes);
   ++points_;
   if (!record.failure.empty())
-    failures_.push_back(fmt::format("{}: {}", experiment_.sweep.place(index), record.failure));
+    failures_.push_back(fmt::format("{}: {}", sweep_.place(index), record.failure));
 }
 
 std::string Summary::text() const {
@@ -73,17 +63,17 @@ void Summary::report_failures() const {
 }
 
 std::string Summary::cause_and_remedy(PointStatus status, const Example& example) const {
-  const Setup& setup = experiment_.sweep.base.setup;
-  const bool si = !experiment_.sweep.base.si.empty();
+  const Setup& setup = sweep_.base.setup;
+  const bool si = !sweep_.base.si.empty();
   switch (status) {
     case PointStatus::unreachable:
-      return results::carried_text(experiment_.sweep.point(example.index), example.R_n_largest, example.z_0);
+      return results::carried_text(sweep_.point(example.index), example.R_n_largest, example.z_0);
     case PointStatus::incomplete:
       return fmt::format(
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "
           "equations; raise /integrator/max_evaluations{}",
           example.incomplete_theta_0 * 180 / M_PI, setup.integrator.max_evaluations,
-          !has_pole(experiment_.sweep.point(example.index).setup.parameters.bending) ? ""
+          !has_pole(sweep_.point(example.index).setup.parameters.bending) ? ""
           : si ? ", or /si/alpha_J, which acts near the pole"
                : ", or /model/alpha, which acts near the pole");
     default:
@@ -97,9 +87,9 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
 void Summary::report_points_without_values() const {
   for (const auto& [status, example] : first_) {
     const long more = counts_[std::size_t(status)] - 1;
-    write_message(
-        fmt::format("{}: {} at {}{}: {}\n", path_, word(status), experiment_.sweep.place(example.index),
-                    more > 0 ? fmt::format(" and {} more", more) : "", cause_and_remedy(status, example)));
+    write_message(fmt::format("{}: {} at {}{}: {}\n", path_, word(status), sweep_.place(example.index),
+                              more > 0 ? fmt::format(" and {} more", more) : "",
+                              cause_and_remedy(status, example)));
   }
 }
 
@@ -110,7 +100,7 @@ void Summary::report_pinned_bristles() const {
       "{:.0f} "
       "%: that friction is a property of the polar coordinates; compare with {} (docs/model.md)\n",
       path_, pinned_, points_, 100 * kPinnedShare, 100 * largest_pinned_share_,
-      experiment_.sweep.varies("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
+      sweep_.varies("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
 }
 
 void Summary::report_validity() const {

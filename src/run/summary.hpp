@@ -17,7 +17,7 @@ namespace bristle::run {
 class Summary {
  public:
   // Creates a summary without points. path: the path of the result, for messages
-  Summary(const Experiment& experiment, std::string path) : experiment_(experiment), path_(std::move(path)) {}
+  Summary(const Sweep& sweep, std::string path) : sweep_(sweep), path_(std::move(path)) {}
   void add(const results::PointRecord& record, std::size_t index);
   void add(const std::string& analysis) { analysis_ += analysis; }
   const std::string& analysis() const { return analysis_; }  // lines about a sample
@@ -41,17 +41,17 @@ class Summary {
     double incomplete_theta_0;  // rad
     double R_n_largest, z_0;    // the greatest load of an unreachable point, and its gap
   };
-  // Returns the point with this index as an example, from the values of a node of its record.
-  static Example example_of(const results::PointRecord& record, std::size_t index, std::size_t node);
+  // Returns the point with this index as an example, from the values of its record.
+  static Example example_of(const results::PointRecord& record, std::size_t index);
   std::string cause_and_remedy(PointStatus status, const Example& example) const;
 
-  const Experiment& experiment_;
+  const Sweep& sweep_;
   std::string path_, analysis_;
   std::vector<long> counts_ = std::vector<long>(words<PointStatus>().size(), 0);
   std::size_t points_ = 0;
   std::vector<std::string> failures_;
   std::map<PointStatus, Example> first_;  // first point of each status without values
-  results::Phases phases_;                // phases of all points and nodes
+  results::Phases phases_;                // phases of all points
   std::size_t pinned_ = 0;                // points at which pinned bristles carry more than a tenth of R_x
   double largest_pinned_share_ = 0;
   std::size_t judged_ = 0;  // points with a value, to which the limits of the model apply

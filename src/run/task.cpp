@@ -130,8 +130,8 @@ Summary finish(const Experiment& experiment, const RunOptions& options, const Ke
 }
 
 // Returns the summary of a shard's journal.
-Summary summary_of(const Experiment& experiment, const KeyedPoints& points, const results::Journal& journal) {
-  Summary summary(experiment, journal.path());
+Summary summary_of(const Sweep& sweep, const KeyedPoints& points, const results::Journal& journal) {
+  Summary summary(sweep, journal.path());
   for (const std::size_t i : points.points())
     summary.add(journal.read(points.key(i), points.layout()).record, i);
   return summary;
@@ -156,7 +156,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   entries["experiment_file"] = experiment.path;
   const KeyedPoints points(experiment.sweep, shard_points(options.shard, experiment.sweep.size()));
   const auto require_points = [&](const std::vector<std::size_t>& missing) {
-    if (options.complete) require_complete(experiment, missing, options.output, options.arguments);
+    if (options.complete) require_complete(experiment.sweep, missing, options.output, options.arguments);
   };
   if (options.complete) require_points(points.missing_beside(options.output));
   results::Journal journal(journal_path(options.output, options.shard), kCommit, options.force);
@@ -166,7 +166,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   Progress progress(experiment.name, missing.size(), options.quiet);
   fill_journal(experiment.sweep, points, missing, options, journal, progress);
-  const Summary summary = options.shard ? summary_of(experiment, points, journal)
+  const Summary summary = options.shard ? summary_of(experiment.sweep, points, journal)
                                         : finish(experiment, options, points, journal, entries, progress);
   progress.finish();
   summary.report_failures();
@@ -203,14 +203,14 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
                      const results::Journal& journal, std::map<std::string, std::string> entries,
                      Progress& progress) {
   progress.stage("writing " + path);
-  Summary summary(experiment, path);
+  Summary summary(experiment.sweep, path);
   std::set<std::string> commits, hosts;
   results::ResultWriter writer(experiment, path);
   std::map<std::string, std::vector<double>> analysed;
   for (const std::size_t i : points.points()) {
     const results::JournalLine line = journal.read(points.key(i), points.layout());
     for (const std::string& name : analysed_variables(experiment))
-      analysed[name].push_back(line.record.at(name).front());
+      analysed[name].push_back(line.record.at(name));
     writer.write(i, line.record);
     summary.add(line.record, i);
     commits.insert(line.commit);

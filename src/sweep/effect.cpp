@@ -22,7 +22,7 @@ std::vector<double> effective_input(const PointInput& point) {
       p.stretch_limit, p.pressure_limit, double(o.sampling)};
   for (const double* constant : constants_of(bristle)) out.push_back(*constant);
   for (const Choice& c : choices()) out.push_back(c.get(p));
-  if (!loading.z_0 && !loading.trace) out.insert(out.end(), {loading.R_n, double(loading.path)});
+  if (!loading.z_0) out.insert(out.end(), {loading.R_n, double(loading.path)});
   if (o.distribution == Distribution::von_mises && o.sampling != Sampling::list)
     out.insert(out.end(), {o.mean, o.concentration});
   if (o.sampling == Sampling::lattice) out.insert(out.end(), {p.L_y, double(o.seed), double(o.rows)});

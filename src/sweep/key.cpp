@@ -20,7 +20,7 @@ static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
 static_assert(sizeof(Scatter) == 6 * sizeof(double));
 static_assert(sizeof(Setup) == sizeof(Parameters) + sizeof(Orientation) + sizeof(IntegratorOptions) +
                                    sizeof(Scatter) + sizeof(double));
-static_assert(sizeof(Loading) == 8 * sizeof(double));
+static_assert(sizeof(Loading) == 4 * sizeof(double));
 static_assert(sizeof(Recording) == 4 * sizeof(double));
 
 // Names and values in the order in which they are added, written like JSON but with a comma after each.
@@ -97,10 +97,6 @@ void add_scatter(Text& out, const Scatter& scatter) {
 void add_loading(Text& out, const Loading& l) {
   if (l.z_0) {
     out.add("z_0", *l.z_0);
-  } else if (l.trace) {
-    out.add("to", l.trace->to);
-    out.add("resolution", l.trace->resolution);
-    out.add("nodes", l.trace->nodes);
   } else {
     out.add("R_n", l.R_n);
     out.add("path", word(l.path));

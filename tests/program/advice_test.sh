@@ -21,8 +21,6 @@ echo "{ $quick, $gap, \"name\": \"sobol\", \"sweep\": { \"sample\": { \"sobol\":
   \"tau_f\": { \"normal\": [3e4, 1e3] } } } }, \"analysis\": { \"sobol_indices\": [\"R_x\"] } }" >sobol.json
 echo "{ $quick, $gap, \"name\": \"design\", \"design\": { \"variables\": { \"k_r\": [5, 20] }, \"objective\": { \"minimise\": \"R_x\" },
   \"budget\": 6, \"seed\": 1 }, \"tiers\": { \"smoke\": { \"design\": { \"budget\": 4 } } } }" >design.json
-echo "{ $quick, \"name\": \"trace\", \"load\": { \"R_n\": null, \"path\": null, \"trace\": { \"to\": 0.8, \"nodes\": 96 } },
-  \"sweep\": { \"k_r\": { \"values\": [5, 20] } } }" >trace.json
 git add . && git -c user.name=n -c user.email=e commit -qm m
 
 # advised COMMAND...: the first command between backquotes in what it prints, or after "To compute" on a line of its own.
@@ -34,8 +32,7 @@ same_point() {
 import h5py, sys
 import numpy as np
 one, all = h5py.File("results/replay.h5"), h5py.File(sys.argv[1])
-axes = all["status"].shape[:-1] if "node" in all else all["status"].shape
-at = np.unravel_index(int(sys.argv[2]), axes)
+at = np.unravel_index(int(sys.argv[2]), all["status"].shape)
 names = [n for n in all if isinstance(all[n], h5py.Dataset) and all[n].shape == all["status"].shape and n in one and n != "sample"]
 assert len(names) > 20, names
 for n in names:
@@ -54,7 +51,7 @@ replay() {  # RESULT
   done
 }
 run() { "$bristle" run "$@" --quiet >log 2>&1 || failed "run $*: $(cat log)"; }
-for name in table sobol design trace quick; do run $name.json && replay results/$name.h5; done
+for name in table sobol design quick; do run $name.json && replay results/$name.h5; done
 run quick.json --tier smoke && replay results/quick-smoke.h5
 run quick.json --set /model/mu_c=0.5 -o "results/a name.h5" && replay "results/a name.h5"
 "$bristle" run - --quiet <quick.json -o results/piped.h5 && replay results/piped.h5

@@ -98,16 +98,6 @@ def check_jumps():
     assert "bending has the words polar\n" in run("value", path, "R_x", "--at", "bending=rod", code=2)
 
 
-def check_curves():
-    path = computed("curves.h5", "paper.json", "--set", '/orientation={"sampling":"list","theta_0_deg":[10,100]}',
-                    "--set", '/load={"R_n":null,"path":null,"trace":{"to":0.3,"resolution":0.3,"nodes":96}}')
-    table, data = exported(path), xarray.open_dataset(path)
-    present = [word != "absent" for word in
-               np.array(data["status"].attrs["flag_meanings"].split())[data["status"].values.ravel()]]
-    assert 0 < sum(present) < len(present) and len(table) == sum(present)
-    assert np.array_equal(table["z_0"].astype(float), data["z_0"].values.ravel()[present])
-
-
 def check_outputs(path):
     """Only exported tables are replaced; the default name is that of the result."""
     (folder / "mine.csv").write_text("a,b\n1,2\n")
@@ -140,6 +130,5 @@ check_variables(result, opened)
 check_checks(result)
 check_tables(recorded)
 check_jumps()
-check_curves()
 check_outputs(result)
 check_info(result, opened)

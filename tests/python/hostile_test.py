@@ -143,17 +143,6 @@ def test_errors_are_not_negative_and_means_over_no_bristle_are_missing():
         assert np.isnan(result[f"{key}_unpinned"]) and np.isnan(result[f"{key}_unpinned_err"]), key
 
 
-def test_traced_curves_have_forces_in_newtons():
-    bristle("new", "brush", "--si")
-    trace = ["--set", "/si/R_n_N=null", "--set", '/load={"R_n":null,"path":null,"trace":{"nodes":96}}',
-             "--set", "/sweep=null", "--set", "/orientation/rtol=0.1"]
-    bristle("run", "brush.json", "-o", "t.h5", "--quiet", "--force", *trace)
-    with h5py.File("t.h5") as file:
-        ok = file["status"][()] == 0
-        unit = (file["R_n_in_N"][()] / file["R_n"][()])[ok]
-        assert ok.sum() > 5 and unit.min() > 0 and np.ptp(unit) < 1e-9 * unit.min(), unit
-
-
 def test_standard_error_may_be_full_or_closed():
     small = hostile / "small.json"
     with open("/dev/full", "w", encoding="utf-8") as full:

@@ -21,7 +21,7 @@ BLOCKS = ["model", "si", "load", "orientation", "scatter", "integrator", "sweep"
 
 # What the program refuses and the schema does not: its message, and the reason.
 PROGRAM_ONLY = {
-    "one of R_n, z_0 and trace is given": "whether the extended file gives a load",
+    "neither R_n nor z_0 is given|R_n and z_0 are both given": "whether the extended file gives a load",
     "found (none|.* and )|needs \"values\" alone": "whether the extended file has this axis",
     "ascending indices": "order of the indices, and number of the axis's values",
     "the values must ascend|must end above its start": "order of the values",
@@ -92,7 +92,7 @@ def mutations(document):
             if not removes:  # the program merges the files first: null under an unknown key removes nothing
                 yield f"{path} misspelt", document, path, lambda at, key: at.__setitem__(key + "x", at.pop(key))
             yield f"{path} beside another axis", document, path, add_range
-    for key in ("R_n", "z_0", "trace"):
+    for key in ("R_n", "z_0"):
         for value in (None, 0.5, {}):
             yield (f"/load/{key} = {value}", document, ("load",),
                    lambda at, _, k=key, v=value: at.update(load={**(at.get("load") or {}), k: v}))

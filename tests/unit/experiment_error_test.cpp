@@ -71,7 +71,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "/sweep"},
       {with(
            R"("locate_jumps": "k_r", "sweep": {"k_r": {"values": [1, 2]}}, "load": {"R_n": null, "z_0": 0.5})"),
-       "@/e.json: /locate_jumps: needs a load R_n: at a given gap, and along a traced curve, no gap jumps"},
+       "@/e.json: /locate_jumps: needs a load R_n: at a given gap, no gap jumps"},
       {with(R"("model": {"k_tehta": 1})"),
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, bending, contact, "
        "section, "
@@ -99,11 +99,10 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("model": {"friction": null})"),
        "@/e.json: /model/friction: is missing; allowed: " + quoted_laws() + " (local friction law)"},
       {with(R"("load": {"z_0": 0.5})"),
-       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/R_n, /load/z_0; keep one (a "
-       "null removes an "
+       "@/e.json: /load: R_n and z_0 are both given: /load/R_n, /load/z_0; keep one (a null removes an "
        "inherited key)"},
       {with(R"("load": {"R_n": null})"),
-       "@/e.json: /load: none of R_n, z_0 and trace is given, here or in the sweep"},
+       "@/e.json: /load: neither R_n nor z_0 is given, here or in the sweep"},
       {with(R"("load": {"R_n": null}, "si": {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10})"),
        "@/e.json: /si: the load is missing: none of R_n_N, pressure_Pa and z_0_m is given, here or in the "
        "sweep"},
@@ -111,8 +110,6 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /load/z_0: 1.085 is above first contact, beyond the wall; allowed: at most sin(phi_0) + "
        "100 lambda_z = "
        "1.084808"},
-      {with(R"("model": {"phi_0_deg": 20}, "load": {"R_n": null, "path": null, "trace": {"to": 0.5}})"),
-       "@/e.json: /load/trace/to: 0.5 is not below first contact; allowed: less than sin(phi_0) = 0.342020"},
       {with(R"("sweep": {"lambda_z": {"values": [0.0005, 0.001]}}, "load": {"R_n": null, "z_0": 1.08})"),
        "@/e.json: /load/z_0: 1.08 is above first contact at lambda_z = 0.0005, beyond the wall; allowed: at "
        "most "
@@ -219,13 +216,9 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "[2 L_x]; use more rows"},
       {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "model": {"L_y": 5.1})"),
        "@/e.json: /model/L_y: 5.1 is 25.5 times the spacing 0.2; a lattice needs a whole number"},
-      {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "load": {"R_n": null, "trace": {}})"),
-       "@/e.json: /load/trace: cannot be combined with \"sampling\": \"lattice\"; use quadrature or list"},
       {with(R"("record": ["slab_force"])"), "@/e.json: /record: slab_force needs \"sampling\": \"lattice\""},
       {with(R"("record": ["trajectories"])"),
        "@/e.json: /trajectories: is missing; recording trajectories needs {\"theta_0_deg\": [...]}"},
-      {with(R"("record": ["bristles"], "load": {"R_n": null, "trace": {}})"),
-       "@/e.json: /record: a trace of R_n(z_0) records observables only"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e12]}})"),
        "@/e.json: /sweep/k_r/linspace/2: 1000000000000 points; allowed: at most 1e+07 in the sweep"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e6]}, "k_phi": {"linspace": [1, 2, 1e6]}})"),
@@ -260,7 +253,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "removes an inherited key)"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "pressure_Pa": 1}, "load": {"R_n": null, "z_0": 0.9})"),
-       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/pressure_Pa; keep one "
+       "@/e.json: /load: R_n and z_0 are both given: /load/z_0, /si/pressure_Pa; keep one "
        "(a "
        "null removes an inherited key)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "nu": 0.4})"),
@@ -288,12 +281,12 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "stiffness; both are given"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "R_n_N": 1}, "load": {"R_n": null, "z_0": 0.9})"),
-       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/R_n_N; keep one (a "
+       "@/e.json: /load: R_n and z_0 are both given: /load/z_0, /si/R_n_N; keep one (a "
        "null "
        "removes an inherited key)"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "R_n_N": 1, "z_0_m": 0.5}, "load": {"R_n": null})"),
-       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /si/R_n_N, /si/z_0_m; keep one (a "
+       "@/e.json: /load: R_n and z_0 are both given: /si/R_n_N, /si/z_0_m; keep one (a "
        "null "
        "removes an inherited key)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 2.2}, "load": {"R_n": null})"),

@@ -199,7 +199,7 @@ TEST_CASE("a mistake in a tier stops only those who ask for it") {
           "tiers": {"smoke": {"sweep": {"k_r": {"values": [1]}}}})",
        "", "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them"},
       {R"("sweep": {"k_r": {"values": [5, 10]}}, "tiers": {"smoke": {"load": {"z_0": 0.5}}})", "/load/R_n=3",
-       "/load: more than one of R_n, z_0 and trace is given"},
+       "/load: R_n and z_0 are both given"},
   };
   for (const auto& [changes, set, message] : cases) {
     CAPTURE(changes);

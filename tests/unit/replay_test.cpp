@@ -66,10 +66,7 @@ TEST_CASE("replay: a point alone has the input of the same point of any experime
     document["sweep"] = {{"sample", sample}, {"R_n", document["sweep"]["R_n"]}};
     require_same_points(experiment::stored_experiment(document, "full", "a design"));
   }
-  SECTION("a traced curve, a lattice, and SI units with an own law") {
-    require_same_points(of(
-        s,
-        R"("load": {"R_n": null, "path": null, "trace": {"nodes": 96}}, "sweep": {"k_r": {"values": [5, 20]}})"));
+  SECTION("a lattice, and SI units with an own law") {
     require_same_points(of(s, R"("load": {"R_n": null, "path": null, "z_0": 0.5}, "record": ["slab_force"],
       "orientation": {"sampling": "lattice", "rtol": null, "rows": 100}, "sweep": {"seed": {"values": [1, 2]}})"));
     s.write("ski.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/ski.json"));
@@ -77,21 +74,21 @@ TEST_CASE("replay: a point alone has the input of the same point of any experime
   }
 }
 
-TEST_CASE("replay: the command names the result, quoted, and the point of any node of a traced curve") {
+TEST_CASE("replay: the command names the result, quoted, and the point") {
   const Scratch s;
-  const Experiment curves = of(s, R"("load": {"R_n": null, "path": null, "trace": {"nodes": 96}},
-                                     "sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"values": [5, 20]}})");
-  ResultWriter writer(curves, s.path("a file.h5"));
-  for (std::size_t i = 0; i < curves.sweep.size(); ++i)
-    writer.write(i, record_of(layout_of(curves.sweep), {CurveNode{}}));
+  const Experiment swept =
+      of(s, R"("sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"values": [5, 20]}})");
+  ResultWriter writer(swept, s.path("a file.h5"));
+  for (std::size_t i = 0; i < swept.sweep.size(); ++i)
+    writer.write(i, record_of(layout_of(swept.sweep), PointResult{}, {}));
   writer.close({});
   writer.publish();
   const ReplayCommands commands(ResultReader(s.path("a file.h5")));
-  CHECK_THAT(commands.of_value(2 * 96 + 5),
+  CHECK_THAT(commands.of_point(2),
              EndsWith(" run '" + s.path("a file.h5") + "' -o results/replay.h5 --point 2"));
   const Json all = commands.of_all_points();
   REQUIRE(all.size() == 4);
-  CHECK(all[3] == commands.of_value(3 * 96));
+  CHECK(all[3] == commands.of_point(3));
 }
 
 }  // namespace bristle::replay_test

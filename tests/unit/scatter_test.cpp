@@ -1,7 +1,6 @@
 // Scatter within a brush: bristles that differ share one gap.
 #include "bristle/ensemble/brush_mean.hpp"
 #include "bristle/ensemble/lattice.hpp"
-#include "bristle/ensemble/trace.hpp"
 #include "experiment/experiment.hpp"
 #include "sweep/si.hpp"
 #include "ensembles.hpp"
@@ -165,17 +164,6 @@ TEST_CASE("a brush with scatter carries the load, on both paths, and on its latt
     CHECK(std::abs(lattice.value[k] - mean.value[k]) < 3 * (lattice.error[k] + mean.error[k]));
   }
   CHECK(lattice.status == PointStatus::ok);
-}
-
-TEST_CASE("the curve of a brush with scatter begins where its longest bristle meets the slab") {
-  const Setup setup = brush(25, {0.05, 0, 0, 0});
-  const std::vector<CurveNode> curve = trace_curve(setup, {.to = 0.3}, make_runner(Engine::fast));
-  double longest = 0;
-  for (const Deviations& by : representative_deviations(setup.scatter))
-    longest = std::max(longest, 1 + by[0]);
-  CHECK(curve.front().result.z_0 == Approx(longest * std::sin(setup.parameters.phi_0)));
-  CHECK(curve.front().result.value[R_N] < 0.02);
-  CHECK(curve.back().result.value[R_N] > 1);
 }
 
 }  // namespace bristle::scatter_test

@@ -28,12 +28,8 @@ inline const std::string kTables =
     "orientation": {"sampling": "list", "theta_0_deg": [10, 100]})";
 inline const std::string kLattice = R"(, "load": {"R_n": null, "z_0": 0.5}, "record": ["slab_force"],
     "orientation": {"sampling": "lattice", "rtol": null, "rows": 100, "seed": 1})";
-inline const std::string kCurve =
-    R"(, "load": {"R_n": null, "path": null, "trace": {"to": 0.1, "resolution": 0.1, "nodes": 96}})";
 
-inline bool is_flag(const std::string& name) {
-  return name == "status" || name == "branch" || name == "phase";
-}
+inline bool is_flag(const std::string& name) { return name == "status" || name == "phase"; }
 
 // Invented numbers of a point, reproducible: arbitrary doubles where possible, and any number of rows.
 inline PointRecord invented_record(const Experiment& e, std::size_t index) {
@@ -46,9 +42,7 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
     }
   };
   PointRecord record{layout_of(e.sweep)};
-  const auto& trace = e.sweep.base.loading.trace;
-  const std::size_t nodes = trace ? random() % (std::size_t(trace->nodes) + 1) : 1;
-  for (const auto& variable : record.layout->variables) fill(record.values, variable.name, nodes);
+  for (const Column& variable : record.layout->variables) fill(record.values, variable.name, 1);
   for (const std::string& table : record.layout->tables) {
     const std::size_t rows = random() % 6;
     record.tables.emplace_back();

@@ -14,11 +14,11 @@ from ..plotting.readings import page_for_each_reading
 from ..plotting.style import BLACK, GREY, label, status_marker
 from ..results import axis_values, dataset, read, select, select_errors, select_flags, setting, status_words
 
-AXES = ["k_phi", "k_r", "node"]
+AXES = ["k_phi", "k_r", "z_0_target"]
 SIDE_PANELS = 2
 LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
 
-# Nodes from first contact downward; loading, unloading: whether the node is on that path; curve: load over gap.
+# Points from first contact downward; loading, unloading: whether the point is on that path; curve: load over gap.
 Trace = namedtuple("Trace", "load gap loading unloading status meanings curve")
 
 LOADING = dict(linewidth=2.6, solid_capstyle="round")
@@ -79,8 +79,8 @@ def arrangement(panels):
 
 def note(file):
     string = ("A to D: the loading path of the curve with the largest jump under growing load. An arrow that "
-              "ends at the frame: no equilibrium on the traced curve carries the load beyond it. Curves end at the smallest gap that is "
-              f"traced, {label(dataset(file, 'z_0'))} = {np.nanmin(read(file, 'z_0')):.3g}.")
+              "ends at the frame: no gap of the curve carries the load beyond it. Curves end at the smallest gap "
+              f"that is computed, {label(dataset(file, 'z_0'))} = {np.nanmin(read(file, 'z_0')):.3g}.")
     if "R_n_err" in file:
         error = read(file, "R_n_err") / read(file, "R_n")
         if np.isfinite(error).any():
@@ -89,16 +89,18 @@ def note(file):
 
 
 def read_trace(file, **chosen):
-    """The curve at one point of the sweep, without absent nodes."""
-    words, numbers = select_flags(file, "branch", ["node"], **chosen)
-    on = np.array(words)[numbers]
-    load, gap = (select(dataset(file, name), ["node"], **chosen) for name in ("R_n", "z_0"))
-    meanings, status = select_flags(file, "status", ["node"], **chosen)
-    there = np.isfinite(load) & np.isfinite(gap) & (on != "absent")
-    curve = Curve(gap[there], load[there], select_errors(file, "R_n", ["node"], **chosen)[there], status[there], meanings,
-                  None, [], label(dataset(file, "z_0")), label(dataset(file, "R_n")), in_words(file, chosen))
-    return Trace(load[there], gap[there], np.isin(on, ["loading", "both"])[there],
-                 np.isin(on, ["unloading", "both"])[there], status[there], meanings, curve)
+    """The curve at one point of the sweep, from first contact down.
+
+    A slab under a growing load takes the highest gap that carries it, one under a falling load the lowest.
+    """
+    along = ["z_0_target"]
+    load, gap = (select(dataset(file, name), along, **chosen) for name in ("R_n", "z_0"))
+    meanings, status = select_flags(file, "status", along, **chosen)
+    there = np.flatnonzero(np.isfinite(load) & np.isfinite(gap))[::-1]
+    load, gap, status = load[there], gap[there], status[there]
+    curve = Curve(gap, load, select_errors(file, "R_n", along, **chosen)[there], status, meanings, None, [],
+                  label(dataset(file, "z_0")), label(dataset(file, "R_n")), in_words(file, chosen))
+    return Trace(load, gap, load >= np.maximum.accumulate(load), load <= np.minimum.accumulate(load[::-1])[::-1], status, meanings, curve)
 
 
 def set_range(axes, file, traces):
@@ -144,11 +146,11 @@ def draw_trace(axes, trace, colour, scale):
 def jumps(trace, down=True):
     """(load, gap before, gap after) of each jump on the loading path, or on the unloading path if not `down`.
 
-    The gap after is NaN where the path leaves the traced curve.
+    The gap after is NaN where the path leaves the curve.
     """
     path = np.flatnonzero(trace.loading if down else trace.unloading)[::1 if down else -1]
     found = [(trace.load[here], trace.gap[here], trace.gap[there])
-             for here, there in zip(path, path[1:]) if abs(there - here) > 1]
+             for here, there in zip(path, path[1:]) if abs(there - here) > 2]  # not a ripple
     if path.size and path[-1] != (len(trace.load) - 1 if down else 0):
         found.append((trace.load[path[-1]], trace.gap[path[-1]], np.nan))
     return found

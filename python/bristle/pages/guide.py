@@ -34,11 +34,11 @@ def wrapped(line):
 
 
 def story(file):
-    """What the design of the example means: friction is its objective, jump_margin its third constraint, R_m its first quantity."""
-    start = table_with(file, "comparison", "constraint_3").set_index(brush="brush").sel(brush="start")
+    """What the design of the example means: friction is its objective, jump_margin its second constraint, R_m its first quantity."""
+    start = table_with(file, "comparison", "constraint_2").set_index(brush="brush").sel(brush="start")
     margins = table_with(file, "margins", "margin_below").set_index(quantity="quantity")
     found = table_with(file, "verification", "objective", "brushes", "bouncing").isel(brush=0)
-    return f"""The gap of the start jumps if one of its dimensions changes by {percent(start.constraint_3)}, less than the constraint allows. The
+    return f"""The gap of the start jumps if one of its dimensions changes by {percent(start.constraint_2)}, less than the constraint allows. The
 recommended brush, as made, jumps if its radius is {percent(margins.margin_below.sel(quantity="R_m"))} smaller. Of
 {int(found.brushes)} brushes made like it {percent(found.bouncing / found.brushes)} bounce; five in a hundred have a friction
 above {float(found.objective):.2f} ± {float(found.objective_err):.2f}. The drawing is of the nominal brush, without deviations, which

@@ -66,7 +66,7 @@ def caption(module, file, reading, page, ending="", chosen=()):
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
     shown += [f"({letter}) " * bool(letter) + with_symbols(", ".join(found)) for letter, found in chosen]
     part = of_labels(file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()}), labels)
-    axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node", "sample")]
+    axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "sample")]
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
     models = [name for name in model_names(part) if name not in labels]
     if shown and shown[0].startswith(f"{title},"):

@@ -51,8 +51,6 @@ def limits(file, reading=None):
         data = file[name].sel(reading or {})
         words = data.attrs["flag_meanings"].split()
         beyond, judged = data == words.index("yes"), data != words.index("unknown")
-        if "node" in data.dims:  # of a traced curve
-            beyond, judged = beyond.any("node"), judged.any("node")
         found.append((data.attrs["long_name"].partition(": ")[2], int(beyond.sum()), int(judged.sum())))
     return found
 
@@ -63,9 +61,6 @@ def start_note(file):
         return ""
     words, numbers = flags(dataset(file, "start"))
     crushed, names = np.asarray(numbers) == list(words).index("crushed"), axis_names(dataset(file, "start"))
-    if "node" in names:  # of a traced curve
-        crushed = crushed.any(axis=names.index("node"))
-        names = [name for name in names if name != "node"]
     if not crushed.any():
         return ""
     if "k_r" not in names:

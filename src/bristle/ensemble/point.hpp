@@ -13,19 +13,11 @@
 
 namespace bristle {
 
-// Parameters of a traced curve R_n(z_0), see trace.hpp.
-struct Trace {
-  double to = 0.01;          // lowest gap; the highest is the gap of first contact
-  double resolution = 0.02;  // maximum relative deviation of R_n from the line between neighbouring nodes
-  long nodes = 256;          // maximum number of nodes
-};
-
-// Loading of a sweep point: a gap, a target load, or a traced curve. Dimensionless, per N_c0.
+// Loading of a sweep point: a gap or a target load. Dimensionless, per N_c0.
 struct Loading {
   std::optional<double> z_0{};
   double R_n = 2;
   LoadPath path = LoadPath::loading;
-  std::optional<Trace> trace{};
 };
 
 enum class PointStatus {
@@ -34,18 +26,17 @@ enum class PointStatus {
   unreachable,    // no gap carries the target: no values
   incomplete,     // a passage ended without an exit: no values
   not_converged,  // there are values, but with an error above rtol
-  absent,         // the traced curve has fewer nodes
+  undefined,      // some values or errors are NaN: they are ratios to a load or friction of zero
   failed,         // an error ended the computation: no values; the result has its message
   work_limit,     // integrator.max_evaluations_per_point was reached: no values
   ambiguous,      // there are values, but within the errors another crossing of the target may be the first
-  inaccurate,     // there are values, but the energy residual exceeds kMaxEnergyResidual
-  undefined       // some values or errors are NaN: they are ratios to a load or friction of zero
+  inaccurate      // there are values, but the energy residual exceeds kMaxEnergyResidual
 };
 template <>
 inline Words words<PointStatus>() {
   static constexpr const char* list[] = {
-      "ok",     "load_jump",  "unreachable", "incomplete", "not_converged", "absent",
-      "failed", "work_limit", "ambiguous",   "inaccurate", "undefined"};
+      "ok",        "load_jump", "unreachable", "incomplete", "not_converged",
+      "undefined", "failed",    "work_limit",  "ambiguous",  "inaccurate"};
   return list;
 }
 // Largest energy residual of a trustworthy point, if its model conserves energy (conserves_energy()).
