@@ -35,7 +35,7 @@ std::optional<Gain> gain_of(const Design& design, const Findings& found, const O
   if (!trial) return {};
   const Outcome& start =
       found.start_verification ? static_cast<const Outcome&>(*found.start_verification) : *trial;
-  const Estimate &before = start.objective, &after = brush.objective;
+  const Quantity &before = start.objective, &after = brush.objective;
   return Gain{{cost(design.objective, before.value) - cost(design.objective, after.value),
                before.error + after.error},
               start.point_error + brush.point_error,

@@ -19,11 +19,11 @@ struct Brush {
 
 // By how much the objective of a brush is better than the objective of the start.
 struct Gain {
-  Estimate difference;  // positive: better; the error is the sum of the errors of both
+  Quantity difference;  // positive: better; the error is the sum of the errors of both
   double point_error;   // the part of the error that comes from the points, not from the number of deviations
   double scale;         // amount of the objective's value at the start
 
-  Estimate relative() const { return {difference.value / scale, difference.error / scale}; }
+  Quantity relative() const { return {difference.value / scale, difference.error / scale}; }
   bool within_errors() const { return !(difference.value > point_error); }
 };
 

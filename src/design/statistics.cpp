@@ -13,7 +13,7 @@ constexpr double kNormal95 =
 
 }  // namespace
 
-Estimate value_of(const results::PointRecord& record, const std::string& variable) {
+Quantity value_of(const results::PointRecord& record, const std::string& variable) {
   const std::string error = variable + "_err";
   return {record.at(variable), record.layout->has(error) ? record.at(error) : 0};
 }
@@ -24,9 +24,9 @@ namespace {
 // from its mean. The error is the larger of two. One is from a bootstrap, which cannot see beyond the extreme
 // values. The other is the standard error of a normal distribution's quantile, plus the distance to this
 // quantile if fewer than one value is expected beyond it.
-Estimate tail_quantile(const std::vector<double>& values, double share, double z, double mean,
+Quantity tail_quantile(const std::vector<double>& values, double share, double z, double mean,
                        double deviation) {
-  Estimate out = quantile(values, share);
+  Quantity out = quantile(values, share);
   const double n = double(values.size());
   double error = deviation * std::sqrt((1 + z * z / 2) / n);
   if (n * std::min(share, 1 - share) < 1) error += std::abs(mean + z * deviation - out.value);
@@ -36,28 +36,28 @@ Estimate tail_quantile(const std::vector<double>& values, double share, double z
 
 }  // namespace
 
-double mean_square_error(const std::vector<Estimate>& all) {
+double mean_square_error(const std::vector<Quantity>& all) {
   double sum = 0;
-  for (const auto& [value, error] : all) sum += error * error / double(all.size());
+  for (const Quantity& one : all) sum += one.error * one.error / double(all.size());
   return sum;
 }
 
-Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
+Quantity statistic(Statistic of, const std::vector<Quantity>& all) {
   std::vector<double> values;
   double sum = 0, sum_of_squares = 0;
   const double n = double(all.size());
-  for (const auto& [value, error] : all) {
-    values.push_back(value);
-    sum += value;
+  for (const Quantity& one : all) {
+    values.push_back(one.value);
+    sum += one.value;
   }
   if (std::isnan(sum)) return {kNone, kNone};
   const double mean = sum / n;
   for (const double value : values) sum_of_squares += (value - mean) * (value - mean);
   const double deviation = std::sqrt(sum_of_squares / std::max(n - 1, 1.0));
-  const auto with_errors = [&](Estimate e) {
-    return Estimate{e.value, std::sqrt(e.error * e.error + mean_square_error(all))};
+  const auto with_errors = [&](Quantity e) {
+    return Quantity{e.value, std::sqrt(e.error * e.error + mean_square_error(all))};
   };
-  const auto smaller = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
+  const auto smaller = [](const Quantity& a, const Quantity& b) { return a.value < b.value; };
   switch (of) {
     case Statistic::mean: return with_errors({mean, deviation / std::sqrt(n)});
     case Statistic::q05: return with_errors(tail_quantile(values, 0.05, -kNormal95, mean, deviation));
@@ -78,8 +78,8 @@ double cost(const Objective& objective, double value) {
   return std::abs(value - objective.target);
 }
 
-std::size_t worst_scenario(const Objective& objective, const std::vector<Estimate>& by_scenario) {
-  const auto of = [&](const Estimate& e) {
+std::size_t worst_scenario(const Objective& objective, const std::vector<Quantity>& by_scenario) {
+  const auto of = [&](const Quantity& e) {
     return std::isnan(e.value) ? kInfinity : cost(objective, e.value);
   };
   return std::size_t(std::ranges::max_element(by_scenario, {}, of) - by_scenario.begin());

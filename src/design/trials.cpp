@@ -43,7 +43,7 @@ double excess(const Constraint& constraint, const Computed& point) {
 }
 
 // Returns the error of an estimate relative to its value; 0 without a value.
-double relative_error(const Estimate& estimate) {
+double relative_error(const Quantity& estimate) {
   return estimate.value == 0 ? 0 : std::fmax(0, estimate.error / std::abs(estimate.value));
 }
 
@@ -53,7 +53,7 @@ bool meets_target(const Design& design, const Trial& trial) {
   const Objective& objective = design.objective;
   if (objective.goal != Goal::target) return false;
   if (trial.violation > 0 || trial.ambiguous > design.tolerance_samples / 2) return false;
-  const Estimate& value = trial.objective;
+  const Quantity& value = trial.objective;
   return cost(objective, value.value) <=
          std::max(value.error / 2, 1e-4 * std::max(std::abs(objective.target), 1e-3));
 }
@@ -167,9 +167,10 @@ Sweep Trials::with_rows(const std::vector<Values>& rows) const {
 std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
   const Sweep batch = with_rows(rows(nominal));
   const std::vector<Computed> points = solve_all(batch, Purpose::trials);
+  const Points all(points, scenarios());
   std::vector<Trial> out;
   for (std::size_t i = 0; i < nominal.size(); ++i)
-    out.push_back(judge(nominal[i], points.data() + i * rows_of_a_trial() * scenarios()));
+    out.push_back(judge(nominal[i], all.rows(i * rows_of_a_trial(), rows_of_a_trial())));
   return out;
 }
 
@@ -180,41 +181,41 @@ void Trials::add_undefined(Trial& out, const results::PointRecord& point) const 
       out.undefined.try_emplace(variable.name, results::why_missing(point, variable));
 }
 
-void Trials::set_objective(Outcome& out, const std::vector<std::vector<Estimate>>& values) const {
-  std::vector<Estimate> by_scenario;
-  for (const std::vector<Estimate>& all : values)
-    by_scenario.push_back(all.empty() ? Estimate{kNone, kNone} : statistic(design_.objective.of, all));
+void Trials::set_objective(Outcome& out, const Points& points, bool present) const {
+  std::vector<std::vector<Quantity>> values(points.scenarios());
+  for (std::size_t row = 0; row < points.rows(); ++row)
+    for (std::size_t s = 0; s < points.scenarios(); ++s)
+      if (const Quantity value = value_of(points.at(row, s).record, design_.objective.variable);
+          !present || !std::isnan(value.value))
+        values[s].push_back(value);
+  std::vector<Quantity> by_scenario;
+  for (const std::vector<Quantity>& all : values)
+    by_scenario.push_back(all.empty() ? Quantity{kNone, kNone} : statistic(design_.objective.of, all));
   out.scenario = worst_scenario(design_.objective, by_scenario);
   out.objective = by_scenario[out.scenario];
   out.point_error = std::sqrt(mean_square_error(values[out.scenario]));
 }
 
-// Judges a trial by its points: for each row of the trial, the points of all scenarios.
-Trial Trials::judge(const Values& nominal, const Computed* points) const {
-  const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
+// Judges a trial by its points: the nominal row, rows of deviations, and rows beside the nominal values.
+Trial Trials::judge(const Values& nominal, const Points& points) const {
   Trial out;
   out.nominal = nominal;
-  const auto record = [&](std::size_t row, std::size_t scenario) -> const results::PointRecord& {
-    return points[row * scenarios + scenario].record;
-  };
-  for (std::size_t i = 0; i < samples * scenarios; ++i) {
-    out.ambiguous += run::gap_of(points[i].record).undecided;
-    add_undefined(out, points[i].record);
-    out.missing += std::isnan(value_of(points[i].record, design_.objective.variable).value);
+  const Points made = points.rows(0, 1 + deviations_.size());
+  for (const Computed& point : made) {
+    out.ambiguous += run::gap_of(point.record).undecided;
+    add_undefined(out, point.record);
+    out.missing += std::isnan(value_of(point.record, design_.objective.variable).value);
   }
-  std::vector<std::vector<Estimate>> values(scenarios);
-  const bool nominal_alone = design_.objective.of == Statistic::nominal;
-  for (std::size_t row = nominal_alone ? 0 : 1; row < (nominal_alone ? 1 : samples); ++row)
-    for (std::size_t s = 0; s < scenarios; ++s)
-      values[s].push_back(value_of(record(row, s), design_.objective.variable));
-  set_objective(out, values);
+  set_objective(out,
+                design_.objective.of == Statistic::nominal ? made.row(0) : made.rows(1, deviations_.size()),
+                false);
   if (std::isnan(out.objective.value)) out.violation = kInfinity;
   for (const Constraint& c : design_.constraints) {
     // The jump margin is computed below, for trials that meet the other constraints.
     double value = kNone;
     if (c.variable != kJumpMargin)
-      value = limited_value(c, *std::ranges::max_element(points, points + samples * scenarios, {},
-                                                         [&](const Computed& p) { return excess(c, p); }));
+      value = limited_value(
+          c, *std::ranges::max_element(made, {}, [&](const Computed& p) { return excess(c, p); }));
     out.constraints.push_back(value);
     if (c.variable == kJumpMargin) continue;
     if (std::isnan(value)) out.violation = kInfinity;
@@ -233,17 +234,15 @@ void Trials::set_jump_margin(Trial& trial, double margin) const {
 // Returns the least relative change of a quantity that reaches a jump; infinite if no change up to the
 // required margin does. Locates jumps only between neighbours whose gaps differ. points: the points of the
 // trial
-double Trials::jump_margin(const Values& nominal, const Computed* points) const {
+double Trials::jump_margin(const Values& nominal, const Points& points) const {
   double margin = kInfinity;
-  const std::size_t scenarios = this->scenarios();
   const std::vector<std::string> quantities = design_.quantities();
   for (std::size_t q = 0; q < quantities.size(); ++q) {
     bool differ = false;
     for (const std::size_t neighbour : {2 * q, 2 * q + 1})
-      for (std::size_t s = 0; s < scenarios; ++s)
-        differ = differ ||
-                 run::jumps(run::gap_of(points[s].record),
-                            run::gap_of(points[(1 + deviations_.size() + neighbour) * scenarios + s].record));
+      for (std::size_t s = 0; s < points.scenarios(); ++s)
+        differ = differ || run::jumps(run::gap_of(points.at(0, s).record),
+                                      run::gap_of(points.at(1 + deviations_.size() + neighbour, s).record));
     if (!differ) continue;
     margin = std::fmin(
         margin, least_margin({profile(nominal, quantities[q], values_beside(nominal, quantities[q], 1))}));
@@ -270,12 +269,10 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
   return values;
 }
 
-// Returns the value in the scenario where the objective is worst. points: the points of one row in all
-// scenarios
-Estimate Trials::worst_nominal(const Computed* points) const {
-  std::vector<Estimate> by_scenario;
-  for (std::size_t s = 0; s < scenarios(); ++s)
-    by_scenario.push_back(value_of(points[s].record, design_.objective.variable));
+// Returns the value in the scenario where the objective is worst. row: one row of points
+Quantity Trials::worst_nominal(const Points& row) const {
+  std::vector<Quantity> by_scenario;
+  for (const Computed& point : row) by_scenario.push_back(value_of(point.record, design_.objective.variable));
   return by_scenario[worst_scenario(design_.objective, by_scenario)];
 }
 
@@ -293,8 +290,8 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
   const std::vector<Computed> points = solve_all(along, Purpose::beside);
 
   Profile out{quantity, values, {}, kNone, kNone};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    out.objectives.push_back(worst_nominal(points.data() + i * scenarios()));
+  const Points all(points, scenarios());
+  for (std::size_t row = 0; row < all.rows(); ++row) out.objectives.push_back(worst_nominal(all.row(row)));
   if (along.base.loading.z_0) return out;  // a given gap does not jump
   std::vector<run::Gap> gaps;
   for (const Computed& point : points) gaps.push_back(run::gap_of(point.record));
@@ -306,8 +303,9 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
         return found;
       });
   const double x = nominal.at(quantity);
-  for (std::size_t i = 0; i < jumps.front().size(); ++i) {
-    const double change = ((jumps[1][i] + jumps[2][i]) / 2 - x) / x;  // to the middle of the interval
+  const std::vector<double>&before = jumps[1], &after = jumps[2];
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double change = ((before[i] + after[i]) / 2 - x) / x;  // to the middle of the interval
     double& margin = change < 0 ? out.margin_below : out.margin_above;
     if (!(margin <= std::abs(change))) margin = std::abs(change);
   }
@@ -322,7 +320,7 @@ Verification Trials::verify(const Values& nominal) const {
     for (std::size_t row = points.size() / scenarios(); row < brushes; ++row)
       rows.push_back(deviated(nominal, deviations[row]));
     std::ranges::move(solve_all(with_rows(rows), Purpose::beside), std::back_inserter(points));
-    return verification_of(points);
+    return verification_of({points, scenarios()});
   };
   Verification out = compute(std::max(kVerification, design_.tolerance_samples));
   double before = kInfinity;
@@ -335,23 +333,17 @@ Verification Trials::verify(const Values& nominal) const {
   return out;
 }
 
-Verification Trials::verification_of(const std::vector<Computed>& points) const {
+Verification Trials::verification_of(const Points& points) const {
   Verification out;
-  out.brushes = points.size() / scenarios();
+  out.brushes = points.rows();
   out.constraints.resize(design_.constraints.size(), kNone);
   out.beyond.resize(design_.constraints.size(), 0);
-  for (std::size_t row = 0; row < out.brushes; ++row)
-    add_brush(out, {points.data() + row * scenarios(), scenarios()});
-  std::vector<std::vector<Estimate>> values(scenarios());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (const Estimate value = value_of(points[i].record, design_.objective.variable);
-        !std::isnan(value.value))
-      values[i % scenarios()].push_back(value);
-  set_objective(out, values);
+  for (std::size_t row = 0; row < out.brushes; ++row) add_brush(out, points.row(row));
+  set_objective(out, points, true);
   return out;
 }
 
-void Trials::add_brush(Verification& out, std::span<const Computed> brush) const {
+void Trials::add_brush(Verification& out, const Points& brush) const {
   const auto all_in = [&](BrushPhase phase) {
     return std::ranges::all_of(
         brush, [&](const Computed& p) { return value_of(p.record, "phase").value == double(phase); });
@@ -387,9 +379,9 @@ SobolIndices Trials::indices(const Values& nominal) const {
     rows.push_back(deviated(nominal, deviations));
   const Sweep batch = with_rows(rows);
   const std::vector<Computed> points = solve_all(batch, Purpose::beside);
+  const Points all(points, scenarios());
   std::vector<double> values;
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    values.push_back(worst_nominal(points.data() + row * scenarios()).value);
+  for (std::size_t row = 0; row < all.rows(); ++row) values.push_back(worst_nominal(all.row(row)).value);
   return sobol_indices(values, inputs);
 }
 

@@ -31,9 +31,33 @@ struct Computed {
   Parameters brush;
 };
 
+// Computed points over two axes: rows of the sample, and scenarios.
+class Points {
+ public:
+  // Refers to the points of the rows, row after row; they must outlive the object.
+  Points(std::span<const Computed> points, std::size_t scenarios) : points_(points), scenarios_(scenarios) {}
+
+  std::size_t rows() const { return points_.size() / scenarios_; }
+  std::size_t scenarios() const { return scenarios_; }
+  const Computed& at(std::size_t row, std::size_t scenario) const {
+    return points_[row * scenarios_ + scenario];
+  }
+  // Returns some rows.
+  Points rows(std::size_t first, std::size_t count) const {
+    return {points_.subspan(first * scenarios_, count * scenarios_), scenarios_};
+  }
+  Points row(std::size_t number) const { return rows(number, 1); }
+  auto begin() const { return points_.begin(); }
+  auto end() const { return points_.end(); }
+
+ private:
+  std::span<const Computed> points_;
+  std::size_t scenarios_;
+};
+
 // What a trial, or its verification by many deviations, shows.
 struct Outcome {
-  Estimate objective{kNone, kNone};  // NaN if a point that it needs has no value
+  Quantity objective{kNone, kNone};  // NaN if a point that it needs has no value
   double point_error = kNone;        // the part of the objective's error that its points have
   std::size_t scenario = 0;          // scenario in which the objective is worst
   std::vector<double> constraints;   // each value nearest to its limit, or farthest beyond; infinite: a jump
@@ -53,7 +77,7 @@ struct Trial : Outcome {
 struct Profile {
   std::string quantity;
   std::vector<double> values;         // ascending
-  std::vector<Estimate> objectives;   // by value, each in its worst scenario
+  std::vector<Quantity> objectives;   // by value, each in its worst scenario
   double margin_below, margin_above;  // relative change that reaches a jump; NaN: none among the values
 };
 
@@ -122,19 +146,19 @@ class Trials {
   std::vector<Computed> solve_all(const Sweep& sweep, Purpose purpose) const;
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
-  Trial judge(const Values& nominal, const Computed* points) const;
+  Trial judge(const Values& nominal, const Points& points) const;
   // Adds the variables that have no value at a point although it has values.
   void add_undefined(Trial& out, const results::PointRecord& point) const;
-  // Sets the objective of an outcome, with the values by scenario.
-  void set_objective(Outcome& out, const std::vector<std::vector<Estimate>>& values) const;
-  // Returns what these points show: the points of each brush in all scenarios, brush after brush.
-  Verification verification_of(const std::vector<Computed>& points) const;
+  // Sets the objective of an outcome from these points. present: leaves out points without a value
+  void set_objective(Outcome& out, const Points& points, bool present) const;
+  // Returns what these points show, whose rows are brushes.
+  Verification verification_of(const Points& points) const;
   // Counts a brush, whose points in all scenarios are given.
-  void add_brush(Verification& out, std::span<const Computed> brush) const;
+  void add_brush(Verification& out, const Points& brush) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;
-  Estimate worst_nominal(const Computed* points) const;
-  double jump_margin(const Values& nominal, const Computed* points) const;
+  Quantity worst_nominal(const Points& row) const;
+  double jump_margin(const Values& nominal, const Points& points) const;
 
   const Experiment& experiment_;
   const Design& design_;

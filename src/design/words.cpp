@@ -14,7 +14,7 @@ namespace bristle::design {
 namespace {
 
 // Returns a value with its error, and with the digits that the error leaves, two to four.
-std::string estimate_text(const Estimate& estimate) {
+std::string estimate_text(const Quantity& estimate) {
   if (std::isnan(estimate.value)) return "no value";
   return fmt::format("{:.{}g} +- {:.1g}", estimate.value, digits_left(estimate.value, estimate.error, 4),
                      estimate.error);
@@ -142,7 +142,7 @@ std::string price_text(const Trials& trials, const Findings& found, const Outcom
   std::string out;
   if (!(gain.scale > 0)) out = estimate_text(gain.difference);
   else {
-    const auto [value, error] = gain.relative();
+    const auto [value, error, load_error] = gain.relative();
     int places = 0;  // of the error's first digit, at most 3
     for (double digit = 1; places < 3 && 100 * error < digit; digit /= 10) ++places;
     out = fmt::format("{:.{}f} +- {:.{}f} %", 100 * value, places, 100 * error, places);

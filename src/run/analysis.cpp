@@ -128,7 +128,7 @@ results::Dataset quantiles(const Experiment& e, const Values& values) {
   out.add_dimension(results::coordinates("output", "variable", outputs));
   out.add_dimension(
       results::coordinates({"share", "share of the sample below the quantile", "p", ""}, kShares));
-  std::vector<Estimate> found;
+  std::vector<Quantity> found;
   std::vector<double> used_points, ambiguous;
   for (std::size_t other = 0; other < points; ++other)
     for (const std::string& output : outputs) {

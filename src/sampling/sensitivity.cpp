@@ -148,7 +148,7 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs
     // Where a resample has no variance, nearly all values are the same, and the error is NaN.
     const bool possible =
         error <= kLargestError && std::abs(value - 0.5) <= 0.5 + std::fmax(kOutside, kOutsideErrors * error);
-    if (count >= kLeastBlocks && possible) list.push_back({value, error, count});
+    if (count >= kLeastBlocks && possible) list.push_back({{value, error}, count});
     else list.push_back({kNone, kNone, count});
   };
   for (std::size_t i = 0; i < inputs; ++i) {
@@ -160,7 +160,7 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs
   return out;
 }
 
-Estimate quantile(std::vector<double> values, double share) {
+Quantity quantile(std::vector<double> values, double share) {
   if (values.empty()) return {kNone, kNone};
   std::ranges::sort(values);
   const auto of = [&](std::vector<std::size_t> places) {  // sorted values at sorted places

@@ -1,15 +1,12 @@
 #pragma once
 
+#include "bristle/quantity.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace bristle {
-
-// A dimensionless share or a quantity, and its standard error from bootstrap resampling.
-struct Estimate {
-  double value, error;
-};
 
 // Returns Saltelli's design (A. Saltelli et al., Comput. Phys. Commun. 181, 2010): base_points blocks of
 // inputs + 2 points in the unit cube. A block has a point a, a point b, and for each input the point a with
@@ -23,7 +20,7 @@ std::vector<std::vector<double>> saltelli_design(std::size_t base_points, std::s
 constexpr std::size_t kLeastBlocks = 16;
 
 // An index, and the number of blocks of the design that have the values that the index needs.
-struct SobolIndex : Estimate {
+struct SobolIndex : Quantity {
   std::size_t blocks = 0;
 };
 
@@ -42,6 +39,6 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs
 
 // Returns the value below which this share of the values lies, by linear interpolation between the ordered
 // values; NaN without values. The values must be finite.
-Estimate quantile(std::vector<double> values, double share);
+Quantity quantile(std::vector<double> values, double share);
 
 }  // namespace bristle

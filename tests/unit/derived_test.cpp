@@ -137,14 +137,14 @@ TEST_CASE("a value that something else replaces is an error that names it") {
 }
 
 TEST_CASE("the error of a quantile of few values contains the tail that they do not show") {
-  std::vector<Estimate> few;
+  std::vector<Quantity> few;
   for (int i = 0; i < 8; ++i) few.push_back({1 + 0.02 * i, 1e-4});
-  const Estimate q95 = design::statistic(Statistic::q95, few), q05 = design::statistic(Statistic::q05, few);
+  const Quantity q95 = design::statistic(Statistic::q95, few), q05 = design::statistic(Statistic::q05, few);
   const double deviation = 0.02 * std::sqrt(6.0);
   // The quantile of a normal distribution with this mean and deviation, and its standard error.
   CHECK(q95.value + q95.error > 1.07 + 1.645 * deviation + deviation / std::sqrt(8.0));
   CHECK(q05.value - q05.error < 1.07 - 1.645 * deviation - deviation / std::sqrt(8.0));
-  std::vector<Estimate> many;
+  std::vector<Quantity> many;
   for (int i = 0; i < 1024; ++i) many.push_back({std::sin(double(i)), 0});
   CHECK(design::statistic(Statistic::q95, many).error < 0.06);
 }
