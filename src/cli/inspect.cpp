@@ -154,10 +154,8 @@ void print_failures(const results::ResultReader& result) {
 
 // Prints what a design found, in words, with its details.
 void print_design(const results::ResultReader& result) {
-  const auto provenance = result.provenance();
-  for (const char* name : {results::kDesignText, results::kDesignDetails})
-    if (provenance.contains(name))
-      fmt::print("{}", wrapped_lines(result.provenance_lines(name), terminal_columns()));
+  for (const char* name : {"summary", "details"})
+    fmt::print("{}", wrapped_lines(result.lines("trials", name), terminal_columns()));
 }
 
 void print_provenance(const results::ResultReader& result) {
@@ -169,9 +167,7 @@ void print_provenance(const results::ResultReader& result) {
                                     "instruction_set", "version",        "commit",   "dirty",
                                     "points_computed", "points_commits", "compiler", "flags"};
   for (const auto& [name, text] : provenance)
-    if (std::find(names.begin(), names.end(), name) == names.end() && name != results::kDesignText &&
-        name != results::kDesignDetails)
-      names.push_back(name);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   fmt::print("provenance:\n");
   for (const std::string& name : names)
     if (const auto entry = provenance.find(name); entry != provenance.end())

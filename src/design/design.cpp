@@ -112,10 +112,10 @@ class Search {
         groups.push_back(drawing_group(dimensions));
         groups.push_back(working_range_group(range));
       }
-    entries[results::kDesignText] = text;
+    groups.front().add_text("summary", text);
     const std::string details = details_of(trials_, found);
     if (!details.empty()) {
-      entries[results::kDesignDetails] = details;
+      groups.front().add_text("details", details);
       text += fmt::format("`bristle info {}` has the shares of the tolerances and other optima\n",
                           shell_quoted(options_.output));
     }
@@ -320,7 +320,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
     const results::ResultReader file(options.output);
     if (!options.quiet)
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n{}", options.output,
-                 wrapped_lines(file.provenance_lines(results::kDesignText), terminal_columns()));
+                 wrapped_lines(file.lines("trials", "summary"), terminal_columns()));
     return file.has("best") && !file.has(kViolated);
   }
   run::require_no_loss(experiment, options);

@@ -82,7 +82,7 @@ Array& Dataset::add_array(Column about) {
   return arrays_.emplace_back(Array{std::move(about), std::move(names), shape(), {}, false});
 }
 
-void Dataset::add_text(Array& array, const std::string& text) {
+void Dataset::add_word(Array& array, const std::string& text) {
   array.about.number = Number::text;
   array.values.push_back(double(array.about.words.size()));
   array.about.words.push_back(text);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -61,14 +62,18 @@ class Dataset {
   void add(Column about, const Of& of) {
     Array& array = add_array(std::move(about));
     for (std::size_t i = 0; i < size(); ++i)
-      if constexpr (std::is_convertible_v<decltype(of(i)), std::string>) add_text(array, of(i));
+      if constexpr (std::is_convertible_v<decltype(of(i)), std::string>) add_word(array, of(i));
       else array.values.push_back(double(of(i)));
   }
 
   // Adds an array over all dimensions. Requires as many values as the other arrays have.
   void add(Array array);
 
+  // Adds a text about the whole, which may have several lines; a file has it as an attribute of the group.
+  void add_text(const std::string& name, const std::string& text) { texts_[name] = text; }
+
   const std::string& name() const { return name_; }
+  const std::map<std::string, std::string>& texts() const { return texts_; }
   const std::vector<Array>& arrays() const { return arrays_; }
   // Throws std::out_of_range if there is no array of this name.
   const Array& array(const std::string& name) const;
@@ -80,10 +85,11 @@ class Dataset {
 
  private:
   Array& add_array(Column about);
-  static void add_text(Array& array, const std::string& text);
+  static void add_word(Array& array, const std::string& text);
 
   std::string name_;
   std::vector<Array> dimensions_, arrays_;
+  std::map<std::string, std::string> texts_;
 };
 
 // Returns true if two numbers are the same. NaN equals NaN; zeros of opposite signs differ.

@@ -209,10 +209,10 @@ std::map<std::string, std::string> ResultReader::text_attributes(const std::stri
   return out;
 }
 
-std::string ResultReader::provenance_lines(const std::string& name) const {
-  const h5::Handle group = h5::open_group(file_->root, "provenance");
-  if (!h5::has_attribute(group, name)) throw std::out_of_range("the provenance has no " + name);
-  return printable(h5::read_text_attribute(group, name), "\n");
+std::string ResultReader::lines(const std::string& group, const std::string& name) const {
+  if (!has(group)) return "";
+  const h5::Handle open = h5::open_group(file_->root, group);
+  return h5::has_attribute(open, name) ? printable(h5::read_text_attribute(open, name), "\n") : "";
 }
 
 std::vector<std::string> ResultReader::axes() const {

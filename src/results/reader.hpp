@@ -12,10 +12,6 @@
 
 namespace bristle::results {
 
-// Entries of the provenance with several lines: what a design found, and its details.
-constexpr const char* kDesignText = "design";
-constexpr const char* kDesignDetails = "design_details";
-
 // Reads result files, which are not trusted: a file is opened only after damage_of() has read it in a process
 // of its own. Throws InputError with file and dataset if the file is not a result, cannot be read or has an
 // unknown schema version, and if a dataset or attribute is missing.
@@ -50,9 +46,8 @@ class ResultReader {
   long integer(const std::string& attribute) const;
   // Returns the document of the experiment, which is parsed once.
   const Json& experiment() const;
-  // Returns a text of the provenance, with its line feeds. Throws std::out_of_range if there is none of this
-  // name.
-  std::string provenance_lines(const std::string& name) const;
+  // Returns a text of a group, with its line feeds; empty if there is no such group or text.
+  std::string lines(const std::string& group, const std::string& name) const;
   // Returns the attributes of the group /provenance; empty if there is no such group.
   std::map<std::string, std::string> provenance() const { return text_attributes("provenance"); }
   // Returns the attributes of the group /failures; empty if there is no such group.

@@ -152,6 +152,7 @@ void create_group(hid_t file, const Dataset& data, const std::map<std::string, h
     const h5::Handle dataset = create_array(group, array);
     for (unsigned d = 0; d < scales.size(); ++d) h5::attach_scale(dataset, scales[d], d);
   }
+  for (const auto& [name, text] : data.texts()) h5::write_attribute(group, name, text);
   group.close("closing /" + data.name());
 }
 

@@ -65,7 +65,7 @@ def check_guide():
     page = written("guide", "guide.md", design, "-o", folder / "guide.md")
     assert page.startswith("before") and page.endswith("after") and "old" not in page
     with h5py.File(design) as file:
-        lines = file["provenance"].attrs["design"].decode().split("\n")
+        lines = file["trials"].attrs["summary"].decode().split("\n")
         found = file["verification"]
         number = f"{found['objective'][0]:.2f} ± {found['objective_err'][0]:.2f}"
         brushes = found["brushes"][0]

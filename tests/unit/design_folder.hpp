@@ -42,4 +42,7 @@ inline double first(const results::ResultReader& file, const std::string& name) 
   return file.variable(name).values.front();
 }
 
+// What the design found, in words.
+inline std::string summary(const results::ResultReader& file) { return file.lines("trials", "summary"); }
+
 }  // namespace bristle::design_test

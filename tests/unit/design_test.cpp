@@ -101,7 +101,7 @@ TEST_CASE("design: the recommended trial keeps to the jump margin in its profile
              "L_x_m": 0.085})"));
   for (const char* side : {"below", "above"})
     CHECK_FALSE(first(file, std::string("margins/margin_") + side) < 0.2);
-  CHECK_THAT(file.provenance().at("design"), Catch::Contains("R [mm]") && Catch::Contains("degrees"));
+  CHECK_THAT(summary(file), Catch::Contains("R [mm]") && Catch::Contains("degrees"));
   // One per cent of normal deviations is below -2.326 standard deviations; the drawing has the diameter
   // second.
   const double below = file.variable("drawing/margin_below").values.at(1),
@@ -131,7 +131,7 @@ TEST_CASE("design: the recommended brush is rounded to what can be made, and com
   CHECK(std::abs(k_r[2] - k_r[1]) <= 2);
   CHECK(std::abs(k_phi[2] - k_phi[1]) <= 0.25);
   CHECK(R_x[1] < R_x[0]);
-  const std::string text = file.provenance().at("design");
+  const std::string text = summary(file);
   CHECK_THAT(text, Catch::Contains("rounded to what can be made"));
   CHECK_THAT(text, Catch::Contains("as made"));
 }
@@ -141,7 +141,7 @@ TEST_CASE("design: objectives that differ from the start's by less than their er
   // The length of the slab across the motion has no effect.
   const auto file =
       f.run(f.load(R"({"variables": {"L_y": [4, 6]}, "budget": 4, "objective": {"minimise": "R_x"}})", kFew));
-  CHECK_THAT(file.provenance().at("design"),
+  CHECK_THAT(summary(file),
              Catch::Contains("recommended, the start: L_y = 5") &&
                  Catch::Contains("these variables do not matter here, and the start can be kept"));
   CHECK(first(file, "best/L_y") == 5);
@@ -160,9 +160,8 @@ TEST_CASE("design: few deviations make the values uncertain, not what the variab
   REQUIRE(value.size() == 2);  // start, recommended
   CHECK(value[1] < value[0]);
   CHECK(value[0] - value[1] < error[0] + error[1]);
-  CHECK_THAT(file.provenance().at("design"),
-             Catch::Contains("512 deviations the brush differs from the start") &&
-                 !Catch::Contains("do not matter"));
+  CHECK_THAT(summary(file), Catch::Contains("512 deviations the brush differs from the start") &&
+                                !Catch::Contains("do not matter"));
 }
 
 TEST_CASE("design: a gain below the least gain keeps the start, and says what the best other brush gains") {
@@ -185,13 +184,12 @@ TEST_CASE("design: a gain below the least gain keeps the start, and says what th
   CHECK(gain < 0.02);
   CHECK(kept.variable("comparison/gain_err").values[2] < gain);
   CHECK(first(kept, "comparison/gain") == 0);
-  CHECK_THAT(kept.provenance().at("design"),
+  CHECK_THAT(summary(kept),
              Catch::Contains("recommended, the start: k_phi = 1.9") &&
                  Catch::Contains("the start is as good: nothing gains 2 % (least_gain), and can be kept") &&
                  Catch::Contains(fmt::format("its gain over the start: {:.2g} +- ", 100 * gain)));
   CHECK(first(changed, "best/k_phi") == kept.variable("comparison/k_phi").values[2]);
-  CHECK_THAT(changed.provenance().at("design"),
-             Catch::Contains(fmt::format("  gain over the start: {:.2g} +- ", 100 * gain)));
+  CHECK_THAT(summary(changed), Catch::Contains(fmt::format("  gain over the start: {:.2g} +- ", 100 * gain)));
 }
 
 TEST_CASE("design: brushes that cannot carry the load are counted for the recommended brush and the start") {
@@ -208,10 +206,9 @@ TEST_CASE("design: brushes that cannot carry the load are counted for the recomm
   CHECK(unloaded[0] < unloaded[1]);
   CHECK(unloaded[0] > 0);
   const double brushes = first(file, "verification/brushes");
-  CHECK_THAT(
-      file.provenance().at("design"),
-      Catch::Contains(fmt::format(" %; {} of {} brushes cannot carry the load; {} of {} of the start's",
-                                  unloaded[0], brushes, unloaded[1], brushes)));
+  CHECK_THAT(summary(file), Catch::Contains(fmt::format(
+                                " %; {} of {} brushes cannot carry the load; {} of {} of the start's",
+                                unloaded[0], brushes, unloaded[1], brushes)));
 }
 
 TEST_CASE("design: a recommended brush that violates a constraint as made is said, and fails the command",
@@ -232,12 +229,11 @@ TEST_CASE("design: a recommended brush that violates a constraint as made is sai
   CHECK(first(file, "violated/limit") == 11);
   CHECK(first(file, "violated/value") > 11);
   CHECK(first(file, "violated/brushes") == first(file, "verification/violated"));
-  CHECK_THAT(
-      file.provenance().at("design"),
-      Catch::Contains(fmt::format("  VIOLATES R_x <= 11: {:.4g} in the worst case, and {} of {} brushes "
-                                  "as made are beyond the limit",
-                                  first(file, "violated/value"), first(file, "violated/brushes"),
-                                  first(file, "verification/brushes"))));
+  CHECK_THAT(summary(file), Catch::Contains(fmt::format(
+                                "  VIOLATES R_x <= 11: {:.4g} in the worst case, and {} of {} brushes "
+                                "as made are beyond the limit",
+                                first(file, "violated/value"), first(file, "violated/brushes"),
+                                first(file, "verification/brushes"))));
 }
 
 TEST_CASE("design: a start whose brushes violate a constraint is not as good as a brush whose do not",
@@ -252,11 +248,10 @@ TEST_CASE("design: a start whose brushes violate a constraint is not as good as 
   REQUIRE(violated.size() == 2);
   CHECK(violated[0] == 0);
   CHECK(violated[1] > 0);
-  CHECK_THAT(
-      file.provenance().at("design"),
-      Catch::Contains(fmt::format("{} of 256 brushes made like the start violate a constraint, and none "
-                                  "made like this",
-                                  violated[1])));
+  CHECK_THAT(summary(file), Catch::Contains(fmt::format(
+                                "{} of 256 brushes made like the start violate a constraint, and none "
+                                "made like this",
+                                violated[1])));
 }
 
 TEST_CASE("design: a start that is the best trial can be kept, although the variables matter") {
@@ -264,7 +259,7 @@ TEST_CASE("design: a start that is the best trial can be kept, although the vari
   const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,
       "objective": {"minimise": "R_x"}}, "model": {"friction": "coulomb", "mu_c": 0.05})",
                                  kFew));
-  const std::string text = file.provenance().at("design");
+  const std::string text = summary(file);
   CHECK_THAT(text, Catch::Contains("the start is as good within the errors, and can be kept"));
   CHECK_THAT(text, !Catch::Contains("do not matter"));
 }
@@ -277,7 +272,7 @@ TEST_CASE("design: a start that is better than every trial is recommended") {
                                  kFew));
   CHECK(first(file, "best/mu_c") == 0.05);
   CHECK(first(file, "comparison/mu_c") == 0.05);
-  const std::string text = file.provenance().at("design");
+  const std::string text = summary(file);
   CHECK_THAT(text, Catch::Contains("2 trials and the start"));
   CHECK_THAT(text, Catch::Contains("recommended, the start: mu_c = 0.05"));
   CHECK_THAT(text, Catch::Contains("no trial is better than the start, which can be kept"));
@@ -298,7 +293,7 @@ TEST_CASE("design: the best start is recommended as it is, whatever can be made"
       f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 2, "round_to": {"mu_c": 0.04},
       "objective": {"minimise": "R_x"}}, "model": {"friction": "coulomb", "mu_c": 0.05})",
                    kFew));
-  CHECK_THAT(file.provenance().at("design"), Catch::Contains("recommended, the start: mu_c = 0.05"));
+  CHECK_THAT(summary(file), Catch::Contains("recommended, the start: mu_c = 0.05"));
 }
 
 TEST_CASE("design: the drawing of bristles that lean one way says which, and has no lift-off load") {
@@ -310,7 +305,7 @@ TEST_CASE("design: the drawing of bristles that lean one way says which, and has
       "E_Pa": 1e8, "nu": 0.4, "R_m": 0.00108, "k_r_over_k_phi": 10, "R_c_m": 0.001, "tau_f_Pa": 1e7,
       "V_s_m_per_s": 0.1, "R_n_N": 0.6},
       "orientation": {"distribution": "von_mises", "mean_deg": 30, "concentration": 50, "rtol": 0.1})"));
-  const std::string text = file.provenance().at("design");
+  const std::string text = summary(file);
   CHECK_THAT(text, Catch::Contains(
                        "bristles lean about 30 degrees from the velocity of the slab (concentration 50)"));
   CHECK_THAT(text, Catch::Contains("at 10 m/s under 0.6") && !Catch::Contains("of its lift-off load"));
@@ -342,7 +337,7 @@ TEST_CASE("design: the drawing has every variable, in units for people") {
   CHECK(file.variable("drawing/shown_unit").cell(rows.at("k_r_over_k_phi")) == "1");
   CHECK(file.variable("drawing/shown_unit").cell(rows.at("density")) == "per_cm^2");
   CHECK(file.variable("drawing/meaning").cell(rows.at("rho")) == "density_of_the_shaft");
-  CHECK_THAT(file.provenance().at("design"),
+  CHECK_THAT(summary(file),
              Catch::Contains("density of the shaft") && !Catch::Contains("s.d.: standard deviation"));
 }
 
@@ -358,7 +353,7 @@ TEST_CASE("design: a start beyond a constraint is said, with the nearest trial t
   for (std::size_t i = 0; i < mu_c.size(); ++i)
     if (violation[i] == 0) nearest = std::min(nearest, mu_c[i]);
   CHECK(nearest > 0.09);
-  CHECK_THAT(file.provenance().at("design"),
+  CHECK_THAT(summary(file),
              Catch::Contains(fmt::format("the start violates a constraint; the nearest trial that meets the "
                                          "constraints: mu_c = {:.4g}",
                                          nearest)));
@@ -375,7 +370,7 @@ TEST_CASE("design: trials whose shafts overlap violate a constraint that is alwa
   for (std::size_t i = 0; i < R.size(); ++i) CHECK((violation[i] > 0) == (R[i] > 0.1));
   CHECK(first(file, "best/R") <= 0.1);
   CHECK(first(file, "best/constraint_1") == Approx(0.1 / first(file, "best/R") - 1));
-  CHECK_THAT(file.provenance().at("design"), Catch::Contains("clearance >= 0"));
+  CHECK_THAT(summary(file), Catch::Contains("clearance >= 0"));
 }
 
 TEST_CASE("design: a shaft that is too slender violates the constraint that limits it") {
@@ -409,13 +404,10 @@ TEST_CASE("design: the trials of two searches are not compared by their numbers"
 TEST_CASE("design: a target that no trial meets is not called met") {
   const Folder f;
   const auto text = [&](double value) {
-    return f
-        .run(f.load(fmt::format(R"({{"variables": {{"k_r": [5, 40]}}, "budget": 4,
+    return summary(f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [5, 40]}}, "budget": 4,
         "objective": {{"target": "R_x", "value": {}}}}})",
-                                value),
-                    kFew, fmt::format("target_{}", value)))
-        .provenance()
-        .at("design");
+                                            value),
+                                kFew, fmt::format("target_{}", value))));
   };
   CHECK_THAT(text(-1), Catch::Contains("no trial meets the target"));
   CHECK_THAT(text(-1), Catch::Contains("recommended, trial"));
@@ -430,7 +422,7 @@ TEST_CASE("design: a trial at which a constraint fails is the nearest miss", "[t
   const results::ResultReader file(f.s.path("e.h5"));
   CHECK_FALSE(file.has("best"));
   CHECK(file.variable("trials/violation").values.size() == 4 + 1);
-  CHECK_THAT(file.provenance().at("design"), Catch::Contains("the nearest miss is trial"));
+  CHECK_THAT(summary(file), Catch::Contains("the nearest miss is trial"));
 }
 
 TEST_CASE("design: a variable without a value at points with values is named, and why") {
@@ -442,7 +434,7 @@ TEST_CASE("design: a variable without a value at points with values is named, an
                                                wanted),
                                    kFew, name));
     CHECK_FALSE(file.has("best"));
-    return file.provenance().at("design");
+    return summary(file);
   };
   const std::string constraint =
       text("limit", R"("objective": {"minimise": "R_x"}, "constraints": [{"variable": "load_over_lift_off",
@@ -468,7 +460,7 @@ TEST_CASE("design: trials whose deviations have no value are left out, and the t
   CHECK_FALSE(file.has("best"));
   CHECK(std::isfinite(first(file, "trials/objective")));
   CHECK(first(file, "trials/missing") < 5);
-  CHECK_THAT(file.provenance().at("design"), Catch::Contains("every trial has points without a value"));
+  CHECK_THAT(summary(file), Catch::Contains("every trial has points without a value"));
 }
 
 TEST_CASE(

@@ -131,7 +131,7 @@ TEST_CASE("deviations: none, above half a tolerance, and above the tolerance") {
   CHECK(p.report().differences.at(0).tolerances == Approx(1.5));
   CHECK(p.report().differences[0].where == 3);
   CHECK_THAT(p.text(), Contains("FAILED"));
-  CHECK_THAT(ReplayCommands(ResultReader(p.b)).of_value(p.report().differences[0].where),
+  CHECK_THAT(ReplayCommands(ResultReader(p.b)).of_point(p.report().differences[0].where),
              EndsWith("bristle run " + p.b + " -o results/replay.h5 --point 3"));
 }
 

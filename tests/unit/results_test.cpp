@@ -1,4 +1,5 @@
 #include "claims/checks.hpp"
+#include "results/hdf5.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"

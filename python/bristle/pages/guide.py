@@ -17,10 +17,10 @@ def main():
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/your-own-brush.md")
     arguments = parser.parse_args()
     file = open_result(arguments.result)
-    provenance = table(file, "provenance")
-    if provenance is None or "design" not in provenance.attrs:
+    trials = table(file, "trials")
+    if trials is None:
         raise BristleError(f"{arguments.result}: is no result of a design; `make design` computes one")
-    text = "\n".join(map(wrapped, as_text(provenance.attrs["design"]).splitlines()))
+    text = "\n".join(map(wrapped, as_text(trials.attrs["summary"]).splitlines()))
     replace_between(arguments.output, BEGIN, END, f"\n```text {arguments.result}\n{text}\n```\n\n{filled(story(file))}\n")
     print(f"{arguments.output}: has what {arguments.result} found")
 
