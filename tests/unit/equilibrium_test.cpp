@@ -132,6 +132,27 @@ TEST_CASE("the static equilibrium is a minimum that nested bisections find") {
     CHECK(!minima(make_bristle(p, 0.0288, 0)).empty());  // compressed to 3e-10 of its length
     CHECK_THROWS_AS(static_equilibrium(make_bristle(p, 0.0288, 0)), std::runtime_error);
   }
+  SECTION("at the edge of a range without one") {
+    Parameters p;
+    p.k_r = 25.433883282219185;
+    p.k_phi = 35.782202444161598;
+    p.phi_0 = 1.1059418313291296;
+    p.lambda = 1e-5;
+    p.lambda_z = 0.104602;
+    p.alpha = 0;
+    p.beta = 84.8856;
+    CHECK_THROWS_AS(static_equilibrium(make_bristle(p, 0.24347, 0)), std::runtime_error);
+  }
+  SECTION("where the wall's force overflows at the height that is tried first") {
+    Parameters p;
+    p.k_r = p.k_phi = 0.01;
+    p.phi_0 = 0.7491388962556248;
+    p.lambda = 1e-5;
+    p.lambda_z = 1.84191e-05;
+    p.alpha = 0;
+    p.beta = 1e-4;
+    compare(p, 0.15221724352791208);
+  }
   rc::prop("far beyond them", [] {
     const Parameters p = any_parameters();
     compare(p, uniform(0.01, std::max(0.01, std::sin(p.phi_0))));

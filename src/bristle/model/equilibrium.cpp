@@ -5,6 +5,7 @@
 #include "bristle/message.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace bristle {
@@ -28,7 +29,8 @@ double bracketed_root(Function function, double lower, double upper, double gues
     const Tangent t = function(x);
     (t.value < 0 ? lower : upper) = x;
     const double step = -t.value / t.slope;
-    if (std::abs(step) <= converged * std::abs(x)) return x + step;
+    // Deep in the wall the slope overflows, and the step is 0 far from the root.
+    if (std::isfinite(t.slope) && std::abs(step) <= converged * std::abs(x)) return x + step;
     const bool newton = i < most_steps && x + step > lower && x + step < upper && std::abs(step) <= last;
     const double next = newton ? x + step : lower + (upper - lower) / 2;
     last = std::abs(next - x);
@@ -137,7 +139,11 @@ FollowedMinimum::Step FollowedMinimum::minimum(double z_0, const Step& from) con
     z = std::isnan(bent.z()) ? z_0 : bent.z();
     return bent.polar();
   };
-  const double phi = downhill(polar, from.phi, b.phi_0);
+  double phi = downhill(polar, from.phi, b.phi_0);
+  // Where the wall compresses the spring to nothing, dU/dphi has no value, and the search may end at the
+  // edge of that range, without a balance.
+  constexpr double least_radius = 1e-6;
+  if (!at_slab_ && Bent(b, phi, z).r() < least_radius) phi = std::numeric_limits<double>::quiet_NaN();
   return {z_0, phi, z};
 }
 
