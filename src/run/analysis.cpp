@@ -153,8 +153,8 @@ SobolIndices indices_of(const results::Dataset& group, std::size_t row) {
   const auto read = [&](const std::string& name) { return group.array(name).values.data() + row * inputs; };
   SobolIndices out;
   for (std::size_t i = 0; i < inputs; ++i) {
-    out.first.push_back({read("S1")[i], read("S1_err")[i], std::size_t(read("S1_blocks")[i])});
-    out.total.push_back({read("ST")[i], read("ST_err")[i], std::size_t(read("blocks")[i])});
+    out.first.push_back({{read("S1")[i], read("S1_err")[i]}, std::size_t(read("S1_blocks")[i])});
+    out.total.push_back({{read("ST")[i], read("ST_err")[i]}, std::size_t(read("blocks")[i])});
   }
   return out;
 }

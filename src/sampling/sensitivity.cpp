@@ -149,7 +149,7 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs
     const bool possible =
         error <= kLargestError && std::abs(value - 0.5) <= 0.5 + std::fmax(kOutside, kOutsideErrors * error);
     if (count >= kLeastBlocks && possible) list.push_back({{value, error}, count});
-    else list.push_back({kNone, kNone, count});
+    else list.push_back({{kNone, kNone}, count});
   };
   for (std::size_t i = 0; i < inputs; ++i) {
     add(out.first, i,
