@@ -164,12 +164,6 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   return command;
 }
 
-CLI::App* add_merge(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
-  auto* command = add_experiment(app, "merge", "the same as `run --complete`", experiment);
-  command->add_option("-o,--output", run.output, "result file [as of `run`]");
-  return command;
-}
-
 CLI::App* add_assumptions(CLI::App& app, assumptions::AssumptionsOptions& options) {
   auto* command = app.add_subcommand(
       "assumptions", "evaluate every claim under alternatives for the choices that the paper leaves open");
@@ -246,7 +240,6 @@ const std::map<std::string, std::vector<std::string>> kExamples = {
     {"diff",
      {"bristle diff results/fig4.h5 results/half.h5 --rtol 1e-3",
       "bristle diff results/a.h5 results/b.h5 --only R_x_norm"}},
-    {"merge", {"bristle merge experiments/fig4.json"}},
     {"cite", {"bristle cite results/fig4.h5 >>references.bib"}},
     {"archive", {"bristle archive --check", "bristle archive --tier smoke"}},
     {"verify", {"bristle verify dist/bristle-0.2.0.tar --rerun 3"}},
@@ -284,10 +277,6 @@ class CommandLine {
     set_action(add_value(app_, value_), [this] { return value_command(value_); });
     set_action(add_check(app_, check_), computing([this] { return check_command(check_); }));
     set_action(add_diff(app_, diff_), computing([this] { return diff_command(diff_); }));
-    set_action(add_merge(app_, experiment_, run_), computing([this] {
-                 run_.complete = true;
-                 return run_command(experiment_, run_, "");
-               }));
     set_action(add_cite(app_, cited_), [this] { return cite_command(cited_); });
     set_action(add_archive(app_, archive_), [this] { return archive_command(archive_); });
     set_action(add_verify(app_, verify_), [this] {

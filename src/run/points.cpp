@@ -126,7 +126,7 @@ std::string command_with(const std::vector<std::string>& arguments, const std::s
       continue;
     }
     piped = piped || *argument == "-";
-    kept.push_back(kept.size() == 1 && *argument == "merge" ? "run" : *argument);
+    kept.push_back(*argument);
   }
   return shell_command(kept) + (option.empty() ? "" : " " + option) + (piped ? " < EXPERIMENT.json" : "");
 }

@@ -7,7 +7,7 @@ bristle=$1 result=$2
 expect 0 "validate" "$bristle" --help
 expect 0 "--threads" "$bristle" run --help
 expect 0 "bristle " "$bristle" --version
-for command in new run design validate law schema info export value check diff merge cite archive verify assumptions \
+for command in new run design validate law schema info export value check diff cite archive verify assumptions \
     "reference update"; do
   expect 0 "  bristle $command" "$bristle" $command --help
 done
@@ -114,7 +114,7 @@ mkdir "$folder/temporary"
 expect 3 "standard output cannot be written: Broken pipe; -o - keeps no points" eval '(export TMPDIR=$folder/temporary; piped "$point" run - -o -) | :; exit_code=${PIPESTATUS[0]}; (exit $exit_code)'
 rmdir "$folder/temporary" || failed "run -o - into a closed pipe leaves a temporary folder"
 expect 2 "no such file" "$bristle" info nowhere.h5
-for command in info check validate run verify export "diff $result" merge "reference update --reason x"; do
+for command in info check validate run verify export "diff $result" "reference update --reason x"; do
   expect 2 "experiments: " "$bristle" $command experiments
   expect 2 "a folder; give the name of a file in it" "$bristle" $command experiments
 done
@@ -288,7 +288,7 @@ expect 2 "/dev/zero: cannot be read: a device, pipe or socket" "$bristle" valida
 expect 2 "pipe: is a device, pipe or socket" "$bristle" run experiments/paper.json -o "$folder/pipe"
 cp experiments/paper.json "$folder/mine.json"
 expect 2 "mine.json: is not a result of bristle" "$bristle" run "$folder/mine.json" -o "$folder/mine.json"
-expect 2 "mine.json: is not a result of bristle" "$bristle" merge experiments/fig4.json -o "$folder/mine.json"
+expect 2 "mine.json: is not a result of bristle" "$bristle" run experiments/fig4.json --complete -o "$folder/mine.json"
 expect 2 "mine.json: is not a matrix of assumptions" "$bristle" assumptions -o "$folder/mine.json"
 expect 2 "mine.json: is not an archive of bristle" "$bristle" archive -o "$folder/mine.json"
 cmp -s experiments/paper.json "$folder/mine.json" || failed "an experiment was replaced"

@@ -41,7 +41,7 @@ fi
 printf '#include <cfenv>\n[[gnu::constructor]] static void up() { std::fesetround(FE_UPWARD); }' |
   "$cxx" -xc++ - -shared -fPIC -o "$folder/up.so" || failed "no library"
 changed() { LD_PRELOAD=$folder/up.so "$bristle" "$@"; }
-for command in "run --tier smoke -o $folder/r.h5" "run --complete -o $folder/r.h5" "merge -o $folder/r.h5" validate law; do
+for command in "run --tier smoke -o $folder/r.h5" "run --complete -o $folder/r.h5" validate law; do
   expect 3 "sums are not rounded to the nearest number" changed $command "$source/experiments/fig4.json"
 done
 expect 3 "nothing was computed" changed assumptions -o "$folder/m.json"

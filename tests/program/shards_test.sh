@@ -1,5 +1,5 @@
 #!/bin/bash
-# The options --shard and --complete, and the command merge. usage: shards_test.sh BRISTLE, from the repository's root.
+# The options --shard and --complete. usage: shards_test.sh BRISTLE, from the repository's root.
 set -u
 bristle=$1
 . "$(dirname "$0")/shell.sh"
@@ -33,20 +33,17 @@ expect 0 "11 computed before" "${run[@]}" --shard 2/4 -o "$r"
 # The completion requires all points, and computes none.
 for i in 1 3; do expect 0 "points: " "${run[@]}" --shard $i/4 -o "$r"; done
 rm "$r.2-of-4.journal" "$r.47-of-47.journal"
-for complete in run merge; do
-  command=("$bristle" $complete "${run[@]:2}" -o "$r")
-  [ $complete = merge ] || command+=(--complete)
-  expect 2 "22 of 45 points are missing in the journals of its folder: 1 (bending = polar, k_r = 5, k_theta = 1.00795)" \
-    "${command[@]}"
-  { [ ! -e "$r" ] && [ ! -e "$r.journal" ]; } || failed "a completion with too few points left a file"
-done
+command=("${run[@]}" -o "$r" --complete)
+expect 2 "22 of 45 points are missing in the journals of its folder: 1 (bending = polar, k_r = 5, k_theta = 1.00795)" \
+  "${command[@]}"
+{ [ ! -e "$r" ] && [ ! -e "$r.journal" ]; } || failed "a completion with too few points left a file"
 command=$("${command[@]}" 2>&1 | tail -n 1)
 for shard in 2/4 4/4; do
   # shellcheck disable=SC2001 # a pattern
   eval "$(sed "s|--shard 2/4|--shard $shard|" <<<"$command") --quiet" || failed "the command that was named: $command"
 done
-expect 0 "45 ok; 45 computed before" "$bristle" merge "${run[@]:2}" -o "$r"
-[ "$(digest "$r")" = "$(digest "$folder/whole/r.h5")" ] || failed "digest of the merge"
+expect 0 "45 ok; 45 computed before" "${run[@]}" --complete -o "$r"
+[ "$(digest "$r")" = "$(digest "$folder/whole/r.h5")" ] || failed "digest of the completion"
 expect 0 "points_hosts" "$bristle" info "$r"
 [ "$(cd "$folder" && ls -d r.*)" = "$(printf 'r.h5\nr.h5.journal')" ] || failed "journals are left: $(ls "$folder")"
 
@@ -60,7 +57,6 @@ expect 0 "45 ok; 15 computed before" "${run[@]}" -o "$r"
 expect 0 "points: " "${run[@]}" --shard 1/2 -o "$folder/foreign/r.h5" --set /model/k_phi=2
 expect 2 "r.h5.1-of-2.journal has 23 points, but none can be used" "${run[@]}" --complete -o "$folder/foreign/r.h5"
 expect 2 "is not a result of bristle" "${run[@]}" --shard 1/2 -o CMakeLists.txt
-expect 2 "EXPERIMENT" "$bristle" merge
 
 # The analysis of a sample, whose points are in the journals of two shards; a design cannot be split.
 run=("$bristle" run experiments/paper.json --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}')

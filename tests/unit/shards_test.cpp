@@ -80,7 +80,6 @@ TEST_CASE("the command of another shard, or of the completion, is that of the ru
   CHECK(command_with({"bristle", "run", "x.json", "--shard=2/5"}, "--shard 1/5") ==
         "bristle run x.json --shard 1/5");
   CHECK(command_with({"bristle", "run", "--complete", "x.json"}, "") == "bristle run x.json");
-  CHECK(command_with({"bristle", "merge", "x.json"}, "--shard 1/5") == "bristle run x.json --shard 1/5");
   CHECK(command_with({"bristle", "run", "a --force b.json", "--force"}, "") ==
         "bristle run 'a --force b.json'");
   CHECK(command_with({"bristle", "run", "-", "--shard", "1/2"}, "--complete") ==
