@@ -179,7 +179,7 @@ TEST_CASE("a quantity cannot be given by the sample and by an axis or the load")
   CHECK(f.error(R"({"k_r": {"values": [1]}, "sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})") ==
         "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them");
   CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0", "R_n"], "rows": [[0.5, 1]]}}})")
-            .find("more than one of R_n, z_0") != std::string::npos);
+            .find("R_n and z_0 are both given") != std::string::npos);
 }
 
 TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale",
