@@ -62,7 +62,7 @@ function showPassages(passages, words) {
   const box = part("three");
   box.dataset.length = passages[0].L_x;
   const ready = passages.map((passage) => ({ ...passage, first: 0, last: passage.xi.length - 1, end: passage.xi.at(-1) }));
-  if (state.player) state.player(() => true, ready);
+  if (state.player) state.player(ready);
   else state.player = startPlayer(box, ready);
   part("three-at").textContent = words;
 }

@@ -1,4 +1,4 @@
-// The curve: points over the axis, with errors, coloured by phase. The values of a point are read as in the report (curves.js).
+// The curve: points over the axis, with errors, coloured by phase.
 
 const ROOM = { left: 62, right: 14, top: 14, bottom: 44 };
 
@@ -77,7 +77,5 @@ function drawChart(box, { points, axis, quantity, log, xs, mark, chosen }) {
   box.prepend(svg);
   const shown = points.filter(({ y }) => y !== null);
   box.shown = { plot: svg, points: [{ along: axis, title: quantity, points: shown.map((p) => [X(p.x), Y(p.y), p.x, p.y, p.error, p.status === "ok" ? "" : p.status.replaceAll("_", " ")]) }], indices: shown.map(({ index }) => index) };
-  if (!box.stop) return;
-  removePoints(box);
-  startPoints(box);
+  renewPoints(box);
 }

@@ -16,17 +16,14 @@ from markupsafe import Markup
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PYTHON = os.path.join(os.path.dirname(HERE), "python")
-REPORT = os.path.join(PYTHON, "bristle", "report")
 sys.path.append(PYTHON)
 
 from bristle.command_line import run  # noqa: E402
 from bristle.figures.fig2 import PHASES  # noqa: E402
 from bristle.files import write_text  # noqa: E402
-from bristle.report import points  # noqa: E402
 from bristle.results import as_text, axis_names, axis_values, dataset, experiment, open_result, read  # noqa: E402
 
-OF_REPORT = {"css": ["base.css", "parts.css", "story.css"], "js": ["elements.js", "curves.js", "scene.js", "player.js"]}
-OWN = {"css": ["brush.css"], "js": ["pool.js", "form.js", "chart.js", "again.js", "brush.js"]}
+SCRIPTS = ["elements.js", "curves.js", "scene.js", "player.js", "pool.js", "form.js", "chart.js", "again.js", "brush.js"]
 WORKER = ["engine.js", "worker.js"]
 COMPARED = ["z_0", "R_x", "R_x_norm", "N_c_ratio", "gamma_1", "gamma_2", "gamma_3", "off_slab_share", "F_n_peak", "root_strain"]
 LIMITS = {"exclusiveMinimum": ">", "minimum": "≥", "exclusiveMaximum": "<", "maximum": "≤"}
@@ -44,16 +41,14 @@ def main():
     with open(os.path.join(arguments.folder, "engine.wasm"), "rb") as file:
         engine = base64.b64encode(gzip.compress(file.read(), 9, mtime=0)).decode()
     pointers = [pointer for kind in ("si", "dimensionless") for group in layout[kind] for pointer, *_ in group["fields"]]
-    environment = Environment(loader=FileSystemLoader([HERE, os.path.join(REPORT, "templates")]), autoescape=True,
-                              undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment = Environment(loader=FileSystemLoader(HERE), autoescape=True, undefined=StrictUndefined,
+                              trim_blocks=True, lstrip_blocks=True)
     version, commit = re.search(r"(\S+) \((\w+)", output_of(arguments.program, "--version")).groups()
     page = environment.get_template("brush.html.j2").render(
         layout=layout, fields={pointer: about(schema, pointer, layout["labels"]) for pointer in pointers},
         presets={name: {"title": title, "experiment": experiment(files[name])} for name, title in layout["presets"].items()},
-        stored=stored(files["fig4"]), phases=points.embedded(PHASES), embedded=points.embedded, engine=Markup(engine),
-        version=version, commit=commit[:10], worker=source([(HERE, name) for name in WORKER]),
-        **{kind: source([(os.path.join(REPORT, "templates"), name) for name in OF_REPORT[kind]] + [(HERE, name) for name in OWN[kind]])
-           for kind in OWN})
+        stored=stored(files["fig4"]), phases=embedded(PHASES), embedded=embedded, engine=Markup(engine),
+        version=version, commit=commit[:10], worker=source(WORKER), css=source(["brush.css"]), js=source(SCRIPTS))
     write_text(arguments.output, page)
     print(f"{arguments.output}: {len(page.encode()) / 1e6:.2f} MB")
 
@@ -67,8 +62,14 @@ def text_of(folder, name):
         return file.read()
 
 
-def source(places):
-    return Markup("\n".join(text_of(folder, name) for folder, name in places))
+def source(names):
+    return Markup("\n".join(text_of(HERE, name) for name in names))
+
+
+def embedded(data):
+    """JSON for the content of a script element."""
+    words = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return Markup(words.replace("<", "\\u003c"))
 
 
 def about(schema, pointer, labels):
