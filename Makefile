@@ -99,8 +99,8 @@ assumptions: assumptions-matrix ## every claim under every alternative to what t
 guide: design ## docs/your-own-brush.md: what `make design` finds
 	@$$($(PLOT_PYTHON)) -m bristle.pages.guide results/design$(SUFFIX).h5
 
-report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
-	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,load $(FIGURES) $(filter-out load,$(STUDIES))) -o report$(SUFFIX)/index.html
+report: figures $(STUDIES) report-packages ## one page of all figures, claims, limits and sources: report/index.html
+	@$$($(PLOT_PYTHON) jinja2) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
 # The page's engine is compiled by Emscripten, in a folder of its own (docs/running.md).
 PAGE := build-page
@@ -177,7 +177,7 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/gene
 .PHONY: measure-commands bench-commands
 measure-commands: build report-packages
 	@mkdir -p $(BUILD)/bench
-	$$($(PLOT_PYTHON) jinja2 yaml) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
+	$$($(PLOT_PYTHON) jinja2) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
 
 bench-commands: measure-commands
 	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only commands
@@ -188,13 +188,12 @@ accuracy: build ## errors of the methods, measured: docs/generated/accuracy.md
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
 	@$$($(PLOT_PYTHON)) -m bristle.pages.accuracy $(BUILD)/bench/accuracy.json
 
-# The report shows the matrix of assumptions, so it comes last.
 .PHONY: archive-check
 archive-check: build
 	@$(BUILD)/bristle archive --check --tier $(TIER)
 
 # What an archive refuses is refused before anything is computed or drawn.
-archive: archive-check figures $(STUDIES) $(if $(SUFFIX),,assumptions-matrix) report ## one citable file of all results: dist/bristle-<version>.tar
+archive: archive-check figures $(STUDIES) report $(if $(SUFFIX),,assumptions-matrix) ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive --tier $(TIER) --figures figures$(SUFFIX) --report report$(SUFFIX)/index.html
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.
@@ -233,7 +232,7 @@ fuzz: packages ## the readers of files on random changes of tests/fuzz/corpus, S
 .PHONY: stress
 stress: SECONDS ?= 600
 stress: build test-packages report-packages ## random physics, damaged files, archives and pages, kills, failing calls, Slurm: SECONDS=600
-	@$$(scripts/find-python numpy h5py matplotlib xarray h5netcdf jinja2 yaml) tests/stress/run.py $(BUILD)/bristle --seconds $(SECONDS) $(if $(SEED),--seed $(SEED))
+	@$$(scripts/find-python numpy h5py matplotlib xarray h5netcdf jinja2) tests/stress/run.py $(BUILD)/bristle --seconds $(SECONDS) $(if $(SEED),--seed $(SEED))
 
 format: ## C++ files as .clang-format says
 	@scripts/install-packages format

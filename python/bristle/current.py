@@ -17,13 +17,12 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 NOT_DRAWING = ("pages", "report")  # folders of the package without code of figures
 
 
-def code_digest(folder, endings=(".py",), without=()):
-    """SHA-256 of all files below the folder with these endings, but not in its folders `without`, and of the versions of the
-    libraries that draw."""
+def code_digest(folder, without=()):
+    """SHA-256 of all modules below the folder, but not in its folders `without`, and of the versions of the libraries that draw."""
     digest = hashlib.sha256()
     for path, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if path != folder or name not in without)
-        for name in sorted(name for name in names if name.endswith(endings)):
+        for name in sorted(name for name in names if name.endswith(".py")):
             with open(os.path.join(path, name), "rb") as file:
                 digest.update(f"{os.path.relpath(os.path.join(path, name), folder)}\n".encode() + file.read())
     for library in LIBRARIES:

@@ -1,4 +1,4 @@
-"""Calls of the program: measurements, deviations from the references, replay commands, exported tables."""
+"""Calls of the program: measurements, exported tables, friction laws, citations."""
 
 import csv
 import json
@@ -21,12 +21,6 @@ def run(arguments, text=None):
         command = " ".join(map(str, arguments))
         raise BristleError(f"`{command}` ended with {done.returncode}: {done.stderr.strip()}")
     return done
-
-
-def check(program, path, reference):
-    """Deviation from the reference, None without one, and the replay command of each point."""
-    found = json.loads(run([program, "check", path, "--json", "--report-only", "--reference", reference]).stdout)
-    return found["deviation"], found["replay"]
 
 
 def cite(program):
@@ -62,17 +56,3 @@ def laws(program, experiment):
     lines = run([program, "law", "-"], json.dumps(experiment)).stdout.splitlines()
     rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     return {name: [float(row[name]) for row in rows] for name in rows[0]}
-
-
-def outcome(deviation):
-    """Sign, kind and text for the comparison with the reference."""
-    if deviation is None:
-        return {"sign": "\u2013", "kind": "missing", "text": "no reference"}
-    if deviation["failed"]:
-        return {"sign": "\u2718", "kind": "refuted",
-                "text": f"{deviation['above']} beyond tolerance, {len(deviation['failures'])} other failures"}
-    if deviation["differ"] == 0:
-        return {"sign": "\u2714", "kind": "supported", "text": "equal, bit for bit"}
-    worst = deviation["worst"][0]["tolerances"]
-    return {"sign": "\u2714", "kind": "supported",
-            "text": f"within tolerance: {deviation['differ']} differ, by at most {worst:.2g} of it"}

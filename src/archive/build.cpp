@@ -6,6 +6,7 @@
 #include "archive/verify.hpp"
 #include "assumptions/assumptions.hpp"
 #include "experiment/experiment.hpp"
+#include "json/json.hpp"
 #include "results/digest.hpp"
 #include "results/journal.hpp"
 #include "results/version.hpp"
@@ -54,7 +55,7 @@ class Gatherer {
       check_page("docs/findings.md", payload, figures, "make findings");
       add_matrix("assumptions", payload);
     }
-    add_report(payload);
+    add_report(payload, facts);
     std::vector<std::string> reasons;
     for (const auto& [what, places] : untraceable_)
       reasons.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
@@ -158,18 +159,28 @@ class Gatherer {
     payload["results/" + experiment.name + ".h5"] = read_file(path);
     const std::string digest = facts["payload_sha256"];
     const std::string remedy = fmt::format("`{}` draws it", make(experiment.name));
-    const auto add_figure = [&](const std::string& name, const std::string& remedy) {
-      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {{path, digest}}, remedy,
-                payload);
+    const auto add = [&](const std::string& name, const std::string& remedy) {
+      add_figure(name, path, digest, remedy, payload);
     };
-    for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix, remedy);
+    for (const char* suffix : {".pdf", ".png"}) add(experiment.name + suffix, remedy);
     for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
       const std::string figure = entry.path().filename().string();
       if (figure.starts_with(experiment.name + "-") && (figure.ends_with(".pdf") || figure.ends_with(".png")))
-        add_figure(figure, "remove it, and " + remedy);
+        add(figure, "remove it, and " + remedy);
     }
-    drawn_from_[path] = digest;
     return facts;
+  }
+
+  // Adds a plot of a result, whose payload digest it has in its metadata: a time of writing says nothing.
+  void add_figure(const std::string& name, const std::string& result, const std::string& digest,
+                  const std::string& remedy, Files& payload) const {
+    const std::string path = (fs::path(options_.figures) / name).string();
+    if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
+    const std::string& bytes = payload["figures/" + name] = read_file(path);
+    if (bytes.find(digest) == std::string::npos)
+      throw InputError(
+          fmt::format("{}: was not made from {} as it is now, whose payload digest it lacks; {} again", path,
+                      result, remedy));
   }
 
   void check_current(const results::ResultReader& result, const Experiment& experiment) const {
@@ -245,31 +256,31 @@ class Gatherer {
                  fmt::format("remove it and run `make {}`", name));
     payload[fmt::format("results/{}.json", name)] = bytes;
     check_page(fmt::format("docs/{}.md", name), payload, {{path, facts}}, fmt::format("make {}", name));
-    if (name == "assumptions") drawn_from_[path] = facts["payload_sha256"];
   }
 
-  // Adds the page that bristle.report writes from results, matrix and citation.
-  void add_report(Files& payload) {
+  // Adds the page that bristle.report writes. The file sources.json beside it has the digests of the page and
+  // of the results that it shows.
+  void add_report(Files& payload, const std::map<std::string, Json>& facts) {
     if (repository_.files("python/bristle/report").empty()) return;
-    add_drawn(options_.report, "report/index.html", drawn_from_,
-              fmt::format("`{}` writes it", make("report")), payload);
-    // The page of a brush, to which the report links if it was built.
-    const fs::path brush = fs::path(options_.report).replace_filename("brush.html");
-    if (fs::exists(brush)) payload["report/brush.html"] = read_file(brush.string());
+    const std::string sources = beside_report("sources.json"), brush = beside_report("brush.html");
+    const std::string remedy = fmt::format("`{}` writes it", make("report"));
+    for (const std::string& path : {options_.report, sources})
+      if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
+    const std::string& page = payload["report/index.html"] = read_file(options_.report);
+    const Json made_from = read_json_file(sources);
+    if (made_from.value("page_sha256", Json()) != sha256_of(page))
+      throw InputError(
+          fmt::format("{}: is about another page than {}; {} again", sources, options_.report, remedy));
+    for (const auto& [file, of_file] : facts)
+      if (made_from.value(JsonPointer("/payload_sha256") / fs::path(file).stem().string(), Json()) !=
+          of_file["payload_sha256"])
+        throw InputError(
+            fmt::format("{}: was not made from {} as it is now; {} again", options_.report, file, remedy));
+    if (fs::exists(brush)) payload["report/brush.html"] = read_file(brush);  // to which the report links
   }
 
-  // Adds a file that a script made from others, which states their payload digests: a time of writing says
-  // nothing.
-  static void add_drawn(const std::string& path, const std::string& name,
-                        const std::map<std::string, std::string>& from, const std::string& remedy,
-                        Files& payload) {
-    if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
-    const std::string& bytes = payload[name] = read_file(path);
-    for (const auto& [source, digest] : from)
-      if (bytes.find(digest) == std::string::npos)
-        throw InputError(
-            fmt::format("{}: was not made from {} as it is now, whose payload digest it lacks; {} again",
-                        path, source, remedy));
+  std::string beside_report(const char* name) const {
+    return fs::path(options_.report).replace_filename(name).string();
   }
 
   // Checks that a page of docs/ states the payload digests of the files that it describes; otherwise calls
@@ -286,7 +297,6 @@ class Gatherer {
 
   const ArchiveOptions& options_;
   Repository repository_;
-  std::map<std::string, std::string> drawn_from_;  // payload digests of the files that the report shows
   std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
 };
 

@@ -115,7 +115,7 @@ std::string description_of(const std::string& name, const Contents& contents) {
   if (name == "report/brush.html") return "The friction of a brush, computed in a browser";
   const std::string folder = name.substr(0, name.rfind('/'));
   if (folder == "results") return "The verdicts on the paper's claims under other assumptions";
-  if (folder == "report") return "All figures, claims, points and sources on one page";
+  if (folder == "report") return "All figures, claims, limits and sources on one page";
   if (folder == "experiments/assumptions") return "Alternatives to what the experiments assume";
   if (folder == "experiments") return "Experiment that others extend";
   if (folder == "reference") return "Numbers with which every commit of the program is compared";

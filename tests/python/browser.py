@@ -1,9 +1,8 @@
-"""A browser for tests of the report: views, elements, keys, and axe-core."""
+"""A browser for tests of pages: sizes, elements, keys, and axe-core."""
 import shutil
 import subprocess
 import sys
 import tarfile
-import time
 
 AXE = "4.10.2"  # version of axe-core
 
@@ -33,39 +32,8 @@ def resize(driver, width, height):
                            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500})
 
 
-def view(driver, page, width, height, scheme="light"):
-    resize(driver, width, height)
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": [
-        {"name": "prefers-color-scheme", "value": scheme},
-        {"name": "prefers-reduced-motion", "value": "reduce"}]})
-    driver.get(page.as_uri())
-    settled(driver)
-
-
 def one(driver, selector):
     return driver.find_element("css selector", selector)
-
-
-def texts(driver, selector):
-    """Texts of the elements in visible rows."""
-    return driver.execute_script("""return [...document.querySelectorAll(arguments[0])]
-      .filter(e => !e.closest('tr').hidden).map(e => e.textContent.trim())""", selector)
-
-
-def settled(driver):
-    """Waits until the explorer shows the chosen figure."""
-    for _ in range(100):
-        if driver.execute_script("return document.getElementById('explorer').getAttribute('aria-busy')") == "false":
-            return
-        time.sleep(0.1)
-    raise AssertionError("the explorer is still busy")
-
-
-def select(driver, selector, value):
-    driver.execute_script("""const select = document.querySelector(arguments[0]);
-      select.value = arguments[1];
-      select.dispatchEvent(new Event('change'));""", selector, value)
-    settled(driver)
 
 
 def press(driver, *keys):

@@ -162,9 +162,12 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
   std::filesystem::remove(r.s.path(matrix));
   write_matrix(r);
   CHECK_THAT(refusal(r), Contains("report/index.html: no such file; `make report` writes it"));
-  r.write_report({});
-  CHECK_THAT(refusal(r),
-             Contains("report/index.html: was not made from ") && Contains("`make report` writes it again"));
+  r.write_report({"small"});
+  CHECK_THAT(refusal(r), Contains("report/index.html: was not made from results/study.h5 as it is now") &&
+                             Contains("`make report` writes it again"));
+  r.write_report({"small", "study"});
+  r.s.write("report/index.html", "<html> changed");
+  CHECK_THAT(refusal(r), Contains("sources.json: is about another page than "));
   r.write_report({"small", "study"});
   r.s.write("report/brush.html", "a brush");
 

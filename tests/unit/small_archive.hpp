@@ -4,6 +4,7 @@
 #include "archive/citation.hpp"
 #include "archive/verify.hpp"
 #include "util/error.hpp"
+#include "util/sha.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"
@@ -82,13 +83,13 @@ struct Release {
       s.write("figures/" + name + ending,
               ending + (" payload_sha256 " + ResultReader(result(name)).text("payload_sha256")));
   }
-  // Writes a report on the results and the matrix, as far as an archive looks at it.
+  // Writes a report on the results, as far as an archive looks at it.
   void write_report(const std::vector<std::string>& names) const {
-    std::string page = "<html>";
-    for (const std::string& name : names) page += ResultReader(result(name)).text("payload_sha256") + "\n";
-    page += json_object("the matrix", bytes_of(s.path("results/assumptions.json")))["payload_sha256"]
-                .get<std::string>();
-    s.write("report/index.html", page);
+    Json made_from = {{"page_sha256", sha256_of("<html>")}, {"payload_sha256", Json::object()}};
+    for (const std::string& name : names)
+      made_from["payload_sha256"][name] = ResultReader(result(name)).text("payload_sha256");
+    s.write("report/index.html", "<html>");
+    s.write("report/sources.json", made_from.dump());
   }
   std::string result(const std::string& name = "small") const { return s.path("results/" + name + ".h5"); }
   std::string build() const { return bytes_of(build_archive(options).path); }

@@ -114,16 +114,21 @@ def provenance(file):
 
 
 def paragraph(file, claim, checks):
-    """Heading with the verdicts, the paper's sentence, and what decides, with the reason under the last model that does not
-    support the claim."""
-    verdicts = verdicts_of(checks)
-    lines = [f"### {claim}: {in_words(verdicts)}", "", *quotes(checks)]
+    """Heading with the verdicts, the paper's sentence, what decides, and the reason."""
+    lines = [f"### {claim}: {in_words(verdicts_of(checks))}", "", *quotes(checks)]
     text = " ".join(sentence(*pair) for pair in checks if pair[1][0].role == "main")
-    if unsupported := [reading for reading, verdict in verdicts.items() if verdict != "supported"]:
-        reading = unsupported[-1]
-        rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
-        text += f" {why(verdicts[reading])} with the model {READINGS.get(reading, reading)}: {by_meaning(rows)}{explain_claim(file, rows)}"
-    return [*lines, text.strip(), ""]
+    return [*lines, f"{text} {reason(file, checks)}".strip(), ""]
+
+
+def reason(file, checks):
+    """Why the last model that does not support the claim does not; empty if all support it."""
+    verdicts = verdicts_of(checks)
+    unsupported = [reading for reading, verdict in verdicts.items() if verdict != "supported"]
+    if not unsupported:
+        return ""
+    reading = unsupported[-1]
+    rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
+    return f"{why(verdicts[reading])} with the model {READINGS.get(reading, reading)}: {by_meaning(rows)}{explain_claim(file, rows)}"
 
 
 def why(verdict):

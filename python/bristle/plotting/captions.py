@@ -117,10 +117,14 @@ def remarks(file):
 
 
 def marks(module, file, ending):
+    """What the figure's marks mean, in LaTeX."""
+    return with_symbols(marks_of(module, file, ending).removesuffix("."))
+
+
+def marks_of(module, file, ending):
     """What the figure's marks mean: MARKS of its module, a text or a function of the result, or of several by ending."""
     found = module.MARKS[ending] if isinstance(module.MARKS, dict) else module.MARKS
-    text = " ".join((found(file) if callable(found) else found).split())
-    return with_symbols(text.removesuffix("."))
+    return " ".join((found(file) if callable(found) else found).split())
 
 
 def statuses(file):
