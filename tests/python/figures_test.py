@@ -21,10 +21,8 @@ from in_process import called
 from bristle import BristleError, open_result
 from bristle.figures import fig4, module_of
 from bristle.integrity import read_group
-from bristle.plotting.layout import HEADER
 from bristle.plotting.page import LEAST_POINTS
 from bristle.plotting.readings import pages
-from bristle.plotting.verdicts import STRIP
 
 folder, results = map(pathlib.Path, sys.argv[1:3])
 EVERY_COMMIT = ["fig2", "fig4", "fig7", "fig8", "figA1", "figA2"]
@@ -144,7 +142,7 @@ def check_dataset(name, result):
 
 def bare(figure):
     """Whether the figure has neither header nor table of verdicts."""
-    return not {artist.get_gid() for artist in figure.findobj()} & {HEADER, STRIP}
+    return not any(text.get_text() == "statement" or text.get_fontsize() == 14 for text in figure.findobj(Text))
 
 
 def check_edges(figure):

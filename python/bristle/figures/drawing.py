@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import patches
 
 from ..errors import BristleError
-from ..plotting.layout import HEADER, Cell, across, heading, place_cell, sheet
+from ..plotting.layout import Cell, across, heading, place_cell, sheet
 from ..plotting.lift_off import PHASES
 from ..plotting.page import points
 from ..plotting.readings import one_page
@@ -80,7 +80,7 @@ def draw(file):
     axes.annotate(lines, (right + 0.4 * rows[0].shown, (low + cell.inner_height / 2) * inch), xycoords=("data", "figure fraction"),
                   fontsize=points(10), va="center", linespacing=1.4)
     for i, line in enumerate(reversed(block)):
-        figure.text(0.5, (low + cell.inner_height + 0.2 + LINE * i) * inch, line, ha="center", va="center", gid=HEADER, **look)
+        figure.text(0.5, (low + cell.inner_height + 0.2 + LINE * i) * inch, line, ha="center", va="center", **look)
     heading(axes, "", labels=["the recommended brush"])
     return figure
 

@@ -7,19 +7,19 @@ from matplotlib import colormaps
 from matplotlib.lines import Line2D
 
 from ..plotting.contour_labels import HALO
-from ..plotting.curves import Curve, in_words, keep, log_range, positive, title_axis, true_runs, with_symbol
+from ..plotting.curves import log_range, positive, title_axis, true_runs, with_symbol
 from ..plotting.layout import LEAST_CELL, heading, legend_at_foot, place, sheet
 from ..plotting.page import lettered, paper_width, points
 from ..plotting.readings import page_for_each_reading
 from ..plotting.style import BLACK, GREY, label, status_marker
-from ..results import axis_values, dataset, read, select, select_errors, select_flags, setting, status_words
+from ..results import axis_values, dataset, read, select, select_flags, setting, status_words
 
 AXES = ["k_phi", "k_r", "z_0_target"]
 SIDE_PANELS = 2
 LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
 
-# Points from first contact downward; loading, unloading: whether the point is on that path; curve: load over gap.
-Trace = namedtuple("Trace", "load gap loading unloading status meanings curve")
+# Points from first contact downward; loading, unloading: whether the point is on that path.
+Trace = namedtuple("Trace", "load gap loading unloading status meanings")
 
 LOADING = dict(linewidth=2.6, solid_capstyle="round")
 UNLOADING = dict(linewidth=1.5, linestyle=(0, (3.2, 1.6)))
@@ -98,9 +98,7 @@ def read_trace(file, **chosen):
     meanings, status = select_flags(file, "status", along, **chosen)
     there = np.flatnonzero(np.isfinite(load) & np.isfinite(gap))[::-1]
     load, gap, status = load[there], gap[there], status[there]
-    curve = Curve(gap, load, select_errors(file, "R_n", along, **chosen)[there], status, meanings, None, [],
-                  label(dataset(file, "z_0")), label(dataset(file, "R_n")), in_words(file, chosen))
-    return Trace(load, gap, load >= np.maximum.accumulate(load), load <= np.minimum.accumulate(load[::-1])[::-1], status, meanings, curve)
+    return Trace(load, gap, load >= np.maximum.accumulate(load), load <= np.minimum.accumulate(load[::-1])[::-1], status, meanings)
 
 
 def set_range(axes, file, traces):
@@ -129,7 +127,6 @@ def draw_panel(axes, file, traces, small):
 
 
 def draw_trace(axes, trace, colour, scale):
-    keep(axes, trace.curve, trace.load, trace.gap)
     down, up = (path[1:] & path[:-1] for path in (trace.loading, trace.unloading))
     for style, segments in ((UNSTABLE, ~down & ~up), (UNLOADING, up & ~down), (LOADING, down)):
         look = {**style, "linewidth": scale * style["linewidth"]}

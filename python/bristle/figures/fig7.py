@@ -50,7 +50,7 @@ def draw_parts(file, reading):
     for (letter, law), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
         total, terms = parts[law]
-        entries |= draw_curve(axes, total, Look(BLACK, "-", ""), total.title)
+        entries |= draw_curve(axes, total, Look(BLACK, "-", ""), term_text(file, VARIABLES[0]))
         for (name, term), look in looks(terms.items()):
             entries |= draw_curve(axes, term, REST_LOOK if name == REST else look, term_text(file, name), 1.2)
         axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
@@ -69,14 +69,13 @@ def parts_of(file, law, reading):
     def logarithm(name, power=1):
         curve = read_curve(file, name, "k_r", friction=law, nominal_friction=nominal, **reading)
         with np.errstate(divide="ignore", invalid="ignore"):
-            return curve._replace(y=power * np.log(curve.y), error=power * curve.error / curve.y,
-                                  title=term_text(file, name))
+            return curve._replace(y=power * np.log(curve.y), error=power * curve.error / curve.y)
 
     total = logarithm(VARIABLES[0])
     terms = {name: without_remarks(logarithm(name, power))
              for name, power in FACTORS.items() if law != "coulomb" or name in IN_COULOMB}
     error = np.sqrt(sum(curve.error ** 2 for curve in (total, *terms.values())))
-    rest = total._replace(y=total.y - sum(term.y for term in terms.values()), error=error, title=REST)
+    rest = total._replace(y=total.y - sum(term.y for term in terms.values()), error=error)
     return total, {**terms, REST: without_remarks(rest)}
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib import ticker
 
-from ..plotting.curves import BARS, draw_statuses, keep, legend, panels_by_reading, read_curve, title_axis, with_symbol
+from ..plotting.curves import BARS, draw_statuses, legend, panels_by_reading, read_curve, title_axis, with_symbol
 from ..plotting.readings import one_page
 from ..plotting.style import GREY, looks
 from ..results import axis_values, dataset
@@ -34,7 +34,6 @@ def draw_panel(axes, file, reading):
     for (k_r, look), offset in zip(looks(stiffnesses), offsets):
         colour = look.colour
         lattice = read_curve(file, VARIABLES[0], "seed", sampling="lattice", k_r=k_r, **reading)
-        keep(axes, lattice, lattice.x + offset)
         lattice = lattice._replace(x=lattice.x + offset)
         axes.errorbar(lattice.x, lattice.y, lattice.error, linestyle="", marker=look.marker, markersize=4.5, capsize=2,
                       linewidth=1.1, color=colour, label=with_symbol(dataset(file, "k_r"), k_r))

@@ -111,7 +111,7 @@ def draw_fluctuation(axes, file, reading):
     for name, title, colour, marker in FLUCTUATIONS:
         curves = [read_curve(file, name, "L_y", sampling="lattice", seed=seed, **reading) for seed in seeds]
         for curve, shift in zip(curves, shifts):
-            curve = curve._replace(x=curve.x * per_width, along="$N_{c,0}$")
+            curve = curve._replace(x=curve.x * per_width)
             entries |= draw_points(axes, curve, colour, title, marker, shift)
             title = None  # one entry for all seeds
         found.append(np.array([curve.y for curve in curves]))

@@ -3,13 +3,12 @@
 import numpy as np
 from matplotlib.lines import Line2D
 
-from ..plotting.curves import (BANDS, Curve, draw_curve, draw_points, in_words, log_range, read_curve, title_axis,
-                               with_symbol)
+from ..plotting.curves import BANDS, Curve, draw_curve, draw_points, log_range, read_curve, title_axis, with_symbol
 from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
 from ..plotting.lift_off import LIFT_OFF, in_percent, scatter
 from ..plotting.page import lettered, paper_width
 from ..plotting.readings import one_page, reading_name, readings
-from ..plotting.style import BLACK, COLOURS, GREY, Look, described, label
+from ..plotting.style import BLACK, COLOURS, GREY, Look, described
 from ..results import axis_values, dataset, select, select_errors, select_flags
 
 AXES = ["contact", "sample", "z_0_target"]
@@ -104,8 +103,7 @@ def maxima(file, contact, reading):
     valued = (np.isfinite(load) | ~bouncing).all(axis=1) & bouncing.any(axis=1) & np.isfinite(formula).any(axis=1)
     at = np.flatnonzero(valued), np.where(bouncing, load, -np.inf).argmax(axis=1)[valued]
     nothing = np.zeros(valued.sum(), dtype=int)
-    return Curve(formula[at], load[at], select_errors(file, "R_n", along, **chosen)[at], nothing, ["ok"], nothing[1:] > 0, [],
-                 label(dataset(file, LIFT_OFF)), label(dataset(file, "R_n")), in_words(file, chosen))
+    return Curve(formula[at], load[at], select_errors(file, "R_n", along, **chosen)[at], nothing, ["ok"], nothing[1:] > 0, [])
 
 
 def agreement(file):

@@ -52,7 +52,7 @@ def draw_brushes(axes, file, reading, scaled):
         curve = up_to_last_value(read_curve(file, VARIABLES[0], "R_n_target", k_r=k_r, **reading))
         if scaled:
             lift_off = select(dataset(file, LIFT_OFF), ["R_n_target"], k_r=k_r, **reading)
-            curve = over(curve, np.nanmean(lift_off), described(dataset(file, SCALED)))
+            curve = over(curve, np.nanmean(lift_off))
         entries |= draw_curve(axes, curve, look, with_symbol(stiffness, k_r))
     axes.set_xlim(left=0)
     if scaled:

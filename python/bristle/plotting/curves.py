@@ -18,8 +18,7 @@ from .style import GREY, described, label, log_ticks, looks, status_marker
 # status: index of each point's status into `meanings`; 0 is a point without remark.
 # jumps: whether the loading path jumps, or the phase changes between contact and bouncing, between each point and the next.
 # located: each Jump that the run located.
-# along, title: symbols of x and y; chosen: the values of further axes, as text.
-Curve = namedtuple("Curve", "x y error status meanings jumps located along title chosen")
+Curve = namedtuple("Curve", "x y error status meanings jumps located")
 
 LINES = ("Colours, dashes and markers tell the lines apart, as in the legend; markers are at computed points, of long lines at "
          "some of them only.")
@@ -40,23 +39,12 @@ def read_curve(file, name, along, **chosen):
     meanings, status = select_flags(file, "status", [along], **chosen)
     located = located_jumps(file, [along], **chosen) if located_axis(file) == along else []
     return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings,
-                 breaks_on_line(file, along, **chosen), located,
-                 label(dataset(file, along)), label(dataset(file, name)), in_words(file, chosen))
+                 breaks_on_line(file, along, **chosen), located)
 
 
 def in_words(file, chosen):
     """The values of axes as one text."""
     return ", ".join(with_symbol(dataset(file, name), value) for name, value in chosen.items())
-
-
-def keep(axes, curve, x=None, y=None):
-    """Keeps the curve with its axes, for a page that shows the values of a point; x, y: where its points are drawn."""
-    place = np.column_stack([curve.x if x is None else x, curve.y if y is None else y])
-    axes.curves_kept = [*kept(axes), (curve, place)]
-
-
-def kept(axes):
-    return getattr(axes, "curves_kept", [])
 
 
 def jump_note(file, along):
@@ -82,7 +70,6 @@ def draw_curve(axes, curve, look, text=None, width=1.6):
     """A line, interrupted where there is no value or a break; returns legend entries for the statuses by text."""
     x, y, error = broken(curve)
     colour = look.colour
-    keep(axes, curve)
     axes.plot(x, y, color=colour, linestyle=look.line, linewidth=width, marker=look.marker, markersize=2.4 * width,
               markevery=marked(y, len(axes.lines)), label=text)
     axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
@@ -104,7 +91,6 @@ def marked(y, shift):
 def draw_points(axes, curve, colour, text=None, marker="o", shift=1.0, filled=True):
     """Points with error bars, shifted in x by a factor; returns legend entries for the statuses."""
     shifted = curve._replace(x=curve.x * shift)
-    keep(axes, curve, shifted.x)
     there = np.isfinite(shifted.y)
     error = np.where(np.isfinite(shifted.error), shifted.error, 0)
     axes.errorbar(shifted.x[there], shifted.y[there], error[there], linestyle="", color=colour, label=text,
@@ -113,10 +99,10 @@ def draw_points(axes, curve, colour, text=None, marker="o", shift=1.0, filled=Tr
     return draw_statuses(axes, shifted, colour)
 
 
-def over(curve, unit, along):
-    """The curve with its x divided by a unit; along: the new symbol of x."""
+def over(curve, unit):
+    """The curve with its x divided by a unit."""
     located = [Jump(jump.index, *(place / unit for place in jump[1:])) for jump in curve.located]
-    return curve._replace(x=curve.x / unit, located=located, along=along)
+    return curve._replace(x=curve.x / unit, located=located)
 
 
 def up_to_last_value(curve):

@@ -15,7 +15,6 @@ from .style import GREY, lines_within, wrapped
 from .verdicts import draw_strip, read_claims, strip_height
 
 NO_VALUE = "no value: "  # begins the legend of a status without a value
-HEADER, NOTE = "header", "note"  # gids of the texts of the header, of the note's lines
 TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.2  # line heights
 
 SIDE = 0.3  # inches beside header and note
@@ -71,7 +70,7 @@ def sheet(file, width, body, note="", reading=None, verdicts=True, title=None):
     figure = Figure(figsize=(width, height))
     draw_header(figure, header)
     for i, line in enumerate(lines):
-        figure.text(SIDE / width, (bottom - NOTE_INCHES * i) / height, line, va="top", gid=NOTE, **NOTE_LOOK)
+        figure.text(SIDE / width, (bottom - NOTE_INCHES * i) / height, line, va="top", **NOTE_LOOK)
     draw_strip(figure, claims)
     return figure, bottom
 
@@ -95,7 +94,7 @@ def draw_header(figure, lines):
     height = figure.get_figheight()
     top = height - 0.12
     for line, step, look in lines:
-        figure.text(0.5, top / height, line, ha="center", va="top", gid=HEADER, **look)
+        figure.text(0.5, top / height, line, ha="center", va="top", **look)
         top -= step
 
 

@@ -36,7 +36,6 @@ RULE_INCHES = 0.06  # below the titles
 MARGIN, STATEMENT = 0.3, 0.85  # inches, where claims and statements begin
 GAP = 0.25  # inches between columns
 LEAST_STATEMENT = 2.6  # inches; in figures with less room the numbers are below the statement
-STRIP = "strip"  # gid of the strip's axes
 TITLE, TEXT = dict(color=GREY, fontsize=10), dict(fontsize=10)  # looks of texts
 
 # A row of the strip. statement: a text, and in the Strip its lines; cells: (text, look) in each column after it.
@@ -235,7 +234,6 @@ def draw_strip(figure, claims):
     strip, tall = strip_of(claims, width), strip_height(claims, width)
     axes = figure.add_axes((0, 0, 1, tall / height), xlim=(0, width), ylim=(0, tall))
     axes.axis("off")
-    axes.set_gid(STRIP)
     titles, *rows = strip.rows
     draw_row(axes, titles, strip, tall)
     top = tall - line_count(titles, strip.below) * LINE_INCHES
