@@ -139,14 +139,16 @@ Json stiffness() {
       const auto b = make_bristle(setup.parameters, c.z_0, degrees * M_PI / 180);
       std::vector<std::pair<double, double>> decays;
       double last = 0;
-      run_passage({&setup.parameters, b, static_equilibrium(b), setup.integrator},
-                  [&](double xi, const OdeState& y) {
-                    StateJacobian J;
-                    IntegralJacobian of_integrals;
-                    jacobian(b, y, J, of_integrals);
-                    decays.emplace_back(-J.eigenvalues().real().minCoeff(), xi - last);
-                    last = xi;
-                  });
+      const auto observe = [&](double xi, const OdeState& y) {
+        Jacobian J;
+        jacobian(b, y, J);
+        Eigen::Matrix<double, kState, kState> of_state;
+        for (int i = 0; i < kState; ++i)
+          for (int j = 0; j < kState; ++j) of_state(i, j) = J[i][j];
+        decays.emplace_back(-of_state.eigenvalues().real().minCoeff(), xi - last);
+        last = xi;
+      };
+      run_passage({&setup.parameters, b, static_equilibrium(b), setup.integrator}, observe);
       medians.push_back(weighted_median(decays));
       peaks.push_back(std::max_element(decays.begin(), decays.end())->first);
     }

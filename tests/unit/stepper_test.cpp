@@ -15,7 +15,7 @@ struct System {
   Bristle<double> b;
   void derivative(const OdeState& y, OdeState& dydt) { bristle::derivative<double>(b, y, dydt); }
   void operator()(const OdeState& y, OdeState& dydt, double) { derivative(y, dydt); }
-  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) { bristle::jacobian(b, y, J, I); }
+  void jacobian(const OdeState& y, Jacobian& J) { bristle::jacobian(b, y, J); }
 };
 
 System smooth_system() {
@@ -42,9 +42,9 @@ void dopri5(System& system, OdeState& y, double dt) {
 }
 
 void rosenbrock(System& system, OdeState& y, double dt) {
-  Rosenbrock4 stepper;
+  RosenbrockStep step;
   OdeState out, error;
-  stepper.do_step(std::ref(system), y, 0.0, out, dt, error);
+  step.make(system, y, dt, out, error);
   y = out;
 }
 
@@ -74,10 +74,10 @@ TEST_CASE("the Rosenbrock method's dense output converges with order 4 or better
   const auto error_at_middle = [](double dt) {
     System system = smooth_system();
     OdeState y = start(), out, error, middle;
-    Rosenbrock4 stepper;
-    stepper.do_step(std::ref(system), y, 0.0, out, dt, error);
-    stepper.prepare_dense_output();
-    stepper.calc_state(dt / 2, middle, y, 0, out, dt);
+    RosenbrockStep step;
+    step.make(system, y, dt, out, error);
+    step.prepare_dense_output();
+    step.interpolate(0.5, y, out, middle);
     OdeState exact = y;
     for (int i = 0; i < 200; ++i) dopri5(system, exact, dt / 2 / 200);
     return distance(middle, exact);
@@ -90,8 +90,8 @@ TEST_CASE("the Rosenbrock method is stable where an explicit step is not") {
   System system{make_bristle(p, 0.6, M_PI)};
   const double s = 1.5e-3;  // c_theta/s^2 = 15 000
   OdeState y = pack({{-s, 1e-5, 0.6}, {0, 0.01, 0}, M_PI - 1e-5 / s, 1.5}), out, error;
-  Rosenbrock4 stepper;
-  stepper.do_step(std::ref(system), y, 0.0, out, 1e-3, error);
+  RosenbrockStep step;
+  step.make(system, y, 1e-3, out, error);
   CHECK(std::abs(out[VY]) < 0.1);
   dopri5(system, y, 1e-3);
   CHECK(std::abs(y[VY]) > 1);

@@ -41,20 +41,18 @@ AutoDiffScalar<D> interpolated(const bristle::ModulationTable& table, const Auto
 
 namespace bristle {
 
-using StateJacobian = Eigen::Matrix<double, kState, kState>;
-using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
+// Derivatives of the slope of each component by each component of the state.
+using Jacobian = std::array<std::array<double, kState>, COMPONENTS>;
 
-// Computes the Jacobian of derivative() with respect to the state, by automatic differentiation: the rows of
-// the state (of_state) and of the integrals (of_integrals).
-inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
-                     IntegralJacobian& of_integrals) {
+// Computes the Jacobian of derivative() by automatic differentiation.
+inline void jacobian(const Bristle<double>& b, const OdeState& y, Jacobian& out) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;
   std::array<Dual, kState> in;
-  std::array<Dual, COMPONENTS> out;
+  std::array<Dual, COMPONENTS> slopes;
   for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], kState, i);
-  derivative<Dual>(b, in, out);
-  for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
-  for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[component::NORMAL + i].derivatives();
+  derivative<Dual>(b, in, slopes);
+  for (int i = 0; i < COMPONENTS; ++i)
+    for (int j = 0; j < kState; ++j) out[i][j] = slopes[i].derivatives()[j];
 }
 
 }  // namespace bristle

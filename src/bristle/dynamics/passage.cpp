@@ -38,9 +38,7 @@ struct System {
     bristle::derivative<double>(bristle, y, dydt);
   }
   void operator()(const OdeState& y, OdeState& dydt, double) { derivative(y, dydt); }
-  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& J_integrals) {
-    bristle::jacobian(bristle, y, J, J_integrals);
-  }
+  void jacobian(const OdeState& y, Jacobian& J) { bristle::jacobian(bristle, y, J); }
 };
 
 // Computes the largest ratio of error to tolerance. A step that is not finite has a ratio of 1e6: Odeint's
@@ -80,8 +78,6 @@ class StepAdjuster {
 using Dopri5 = odeint::runge_kutta_dopri5<OdeState>;
 using ControlledDopri5 = odeint::controlled_runge_kutta<Dopri5, ErrorChecker, StepAdjuster>;
 using ExplicitStepper = odeint::dense_output_runge_kutta<ControlledDopri5>;
-using ImplicitController = RosenbrockController;
-using ImplicitStepper = odeint::rosenbrock4_dense_output<ImplicitController>;
 
 class PassageIntegrator {
  public:
@@ -138,8 +134,8 @@ class PassageIntegrator {
   }
 
   StopReason advance_implicit() {
-    ImplicitStepper stepper(ImplicitController(kImplicitToleranceFactor * options_.atol,
-                                               kImplicitToleranceFactor * options_.rtol));
+    RosenbrockStepper stepper(kImplicitToleranceFactor * options_.atol,
+                              kImplicitToleranceFactor * options_.rtol);
     return advance(stepper, [] { return false; });
   }
 

@@ -3,130 +3,184 @@
 #include "bristle/dynamics/jacobian.hpp"
 
 #include <Eigen/LU>
-#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
-#include <boost/numeric/odeint/stepper/rosenbrock4_controller.hpp>
-#include <boost/numeric/odeint/stepper/rosenbrock4_dense_output.hpp>
-#include <boost/numeric/odeint/util/resizer.hpp>
-#include <boost/numeric/odeint/util/state_wrapper.hpp>
+#include <algorithm>
+#include <boost/numeric/odeint/integrate/max_step_checker.hpp>
+#include <functional>
+#include <utility>
 
 namespace bristle {
 
-// Rosenbrock method of order 4(3) with the coefficients and the interface of Odeint's rosenbrock4, for states
-// of fixed size. Eigen factorises the 8 x 8 block of the state; the integrals follow by substitution. The
-// class is meant for Odeint's rosenbrock4_controller and rosenbrock4_dense_output.
-class Rosenbrock4 {
+// The coefficients of Hairer and Wanner's method RODAS, of order 4(3), for systems that do not depend on
+// time.
+namespace rodas {
+constexpr int kStages = 6;
+constexpr double kGamma = 0.25;
+// Weights of the earlier stages in the state at which a stage evaluates the equations. The last stage has
+// those of the stage before it, whose result it adds.
+constexpr double kStates[kStages - 1][kStages - 2] = {
+    {},
+    {1.544},
+    {0.9466785280815826, 0.2557011698983284},
+    {3.314825187068521, 2.896124015972201, 0.9986419139977817},
+    {1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950}};
+// Weights of the earlier stages, over the size of the step, on the right-hand side of a stage.
+constexpr double kSides[kStages][kStages - 1] = {
+    {},
+    {-5.6688},
+    {-2.430093356833875, -0.2063599157091915},
+    {-0.1073529058151375, -9.594562251023355, -20.47028614809616},
+    {7.496443313967647, -10.24680431464352, -33.99990352819905, 11.70890893206160},
+    {8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136, -6.058818238834054}};
+// Weights of the stages in the two terms of the dense output.
+constexpr double kDense[2][kStages - 1] = {
+    {10.12623508344586, -7.487995877610167, -34.80091861555747, -7.992771707568823, 1.025137723295662},
+    {-0.6762803392801253, 6.087714651680015, 16.43084320892478, 24.76722511418386, -6.594389125716872}};
+}  // namespace rodas
+
+// A step of the method RODAS, and its dense output. Eigen factorises the 8 x 8 block of the state; the
+// integrals follow by substitution.
+class RosenbrockStep {
  public:
-  using value_type = double;
-  using time_type = double;
-  using state_type = OdeState;
-  using deriv_type = OdeState;
-  using wrapped_state_type = boost::numeric::odeint::state_wrapper<OdeState>;
-  using wrapped_deriv_type = wrapped_state_type;
-  using resizer_type = boost::numeric::odeint::never_resizer;
-  using stepper_category = boost::numeric::odeint::stepper_tag;
-
-  // Makes one step of an autonomous system with members derivative(y, dydt) and jacobian(y, J, J_integrals).
-  // System is a std::reference_wrapper because Odeint's drivers copy it.
+  // Makes one step of an autonomous system with members derivative(y, dydt) and jacobian(y, J).
   template <class System>
-  void do_step(System reference, const OdeState& y, double /*t*/, OdeState& y_out, double dt,
-               OdeState& y_err) {
-    auto& system = reference.get();
-    StateJacobian J;
-    system.jacobian(y, J, J_integrals_);
-    diagonal_ = 1 / (c_.gamma * dt);
-    factorisation_.compute(StateJacobian(diagonal_ * StateJacobian::Identity() - J));
-
-    const Eigen::Map<const Column> start(y.data());
-    Column f = evaluate(system, start);
-    g1_ = solve(f);
-    f = evaluate(system, start + c_.a21 * g1_);
-    g2_ = solve(f + c_.c21 * g1_ / dt);
-    f = evaluate(system, start + c_.a31 * g1_ + c_.a32 * g2_);
-    g3_ = solve(f + (c_.c31 * g1_ + c_.c32 * g2_) / dt);
-    f = evaluate(system, start + c_.a41 * g1_ + c_.a42 * g2_ + c_.a43 * g3_);
-    g4_ = solve(f + (c_.c41 * g1_ + c_.c42 * g2_ + c_.c43 * g3_) / dt);
-    Column next = start + c_.a51 * g1_ + c_.a52 * g2_ + c_.a53 * g3_ + c_.a54 * g4_;
-    f = evaluate(system, next);
-    g5_ = solve(f + (c_.c51 * g1_ + c_.c52 * g2_ + c_.c53 * g3_ + c_.c54 * g4_) / dt);
-    next += g5_;
-    f = evaluate(system, next);
-    const Column error =
-        solve(f + (c_.c61 * g1_ + c_.c62 * g2_ + c_.c63 * g3_ + c_.c64 * g4_ + c_.c65 * g5_) / dt);
-    Eigen::Map<Column>(y_err.data()) = error;
-    Eigen::Map<Column>(y_out.data()) = next + error;
+  void make(System& system, const OdeState& y, double dt, OdeState& y_out, OdeState& y_err) {
+    using namespace rodas;
+    system.jacobian(y, J_);
+    factorise(1 / (kGamma * dt));
+    OdeState at, side;
+    for (int stage = 0; stage < kStages; ++stage) {
+      const bool last = stage == kStages - 1;
+      for (int i = 0; i < COMPONENTS; ++i)
+        at[i] = last ? at[i] + stages_[stage - 1][i] : plus_stages(y[i], kStates[stage], 0, stage, i);
+      system.derivative(at, side);
+      for (int i = 0; stage > 0 && i < COMPONENTS; ++i)
+        side[i] += plus_stages(kSides[stage][0] * stages_[0][i], kSides[stage], 1, stage, i) / dt;
+      solve(side, last ? y_err : stages_[stage]);
+    }
+    for (int i = 0; i < COMPONENTS; ++i) y_out[i] = at[i] + y_err[i];
   }
 
   void prepare_dense_output() {
-    third_ = c_.d21 * g1_ + c_.d22 * g2_ + c_.d23 * g3_ + c_.d24 * g4_ + c_.d25 * g5_;
-    fourth_ = c_.d31 * g1_ + c_.d32 * g2_ + c_.d33 * g3_ + c_.d34 * g4_ + c_.d35 * g5_;
+    for (int term : {0, 1})
+      for (int i = 0; i < COMPONENTS; ++i) {
+        const auto& weights = rodas::kDense[term];
+        dense_[term][i] = plus_stages(weights[0] * stages_[0][i], weights, 1, rodas::kStages - 1, i);
+      }
   }
 
-  void calc_state(double t, OdeState& y, const OdeState& y_old, double t_old, const OdeState& y_new,
-                  double t_new) const {
-    const double u = (t - t_old) / (t_new - t_old), w = 1 - u;
+  // Sets y to the state between the start (u = 0) and the end (u = 1) of the last step.
+  void interpolate(double u, const OdeState& y_old, const OdeState& y_new, OdeState& y) const {
+    const double w = 1 - u;
     for (int i = 0; i < COMPONENTS; ++i)
-      y[i] = y_old[i] * w + u * (y_new[i] + w * (third_[i] + u * fourth_[i]));
+      y[i] = y_old[i] * w + u * (y_new[i] + w * (dense_[0][i] + u * dense_[1][i]));
   }
 
  private:
-  using Column = Eigen::Matrix<double, COMPONENTS, 1>;
-
-  template <class System>
-  static Column evaluate(System& system, const Column& at) {
-    OdeState y, dydt;
-    Eigen::Map<Column>(y.data()) = at;
-    system.derivative(y, dydt);
-    return Eigen::Map<Column>(dydt.data());
+  // Returns the sum plus the component i of the stages from `first` to before `end`, with their weights.
+  double plus_stages(double sum, const double* weights, int first, int end, int i) const {
+    for (int stage = first; stage < end; ++stage) sum += weights[stage] * stages_[stage][i];
+    return sum;
   }
 
-  // Solves (1/(gamma dt) - J) g = rhs: first for the state, then for the integrals.
-  Column solve(const Column& rhs) const {
-    Column g;
-    g.head<kState>() = factorisation_.solve(rhs.head<kState>());
-    g.tail<kIntegrals>() = (rhs.tail<kIntegrals>() + J_integrals_ * g.head<kState>()) / diagonal_;
-    return g;
+  // Factorises diagonal - J.
+  void factorise(double diagonal) {
+    diagonal_ = diagonal;
+    StateMatrix matrix;
+    for (int i = 0; i < kState; ++i)
+      for (int j = 0; j < kState; ++j) matrix(i, j) = diagonal * (i == j) - J_[i][j];
+    factorisation_.compute(matrix);
   }
 
-  boost::numeric::odeint::default_rosenbrock_coefficients<double> c_;
-  Eigen::PartialPivLU<StateJacobian> factorisation_{StateJacobian(StateJacobian::Identity())};
-  IntegralJacobian J_integrals_ = IntegralJacobian::Zero();
+  // Solves (diagonal - J) out = side: first for the state, then for the integrals.
+  void solve(const OdeState& side, OdeState& out) const {
+    using Column = Eigen::Matrix<double, kState, 1>;
+    Eigen::Map<Column>(out.data()) = factorisation_.solve(Eigen::Map<const Column>(side.data()));
+    for (int i = kState; i < COMPONENTS; ++i) {
+      double sum = J_[i][0] * out[0];
+      for (int j = 1; j < kState; ++j) sum += J_[i][j] * out[j];
+      out[i] = (side[i] + sum) / diagonal_;
+    }
+  }
+
+  using StateMatrix = Eigen::Matrix<double, kState, kState>;
+  Jacobian J_{};
   double diagonal_ = 0;
-  Column g1_ = Column::Zero(), g2_ = g1_, g3_ = g1_, g4_ = g1_, g5_ = g1_;
-  Column third_ = g1_, fourth_ = g1_;
+  Eigen::PartialPivLU<StateMatrix> factorisation_{StateMatrix(StateMatrix::Identity())};
+  OdeState stages_[rodas::kStages - 1]{};
+  OdeState dense_[2]{};  // the two terms
 };
 
-// Odeint's controller, including K. Gustafsson's prediction, with square roots instead of the C library's
-// pow.
-class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controller<Rosenbrock4> {
+// Steps with dense output and a step size by K. Gustafsson's prediction, with square roots instead of the C
+// library's pow. The interface is that of Odeint's steppers with dense output.
+class RosenbrockStepper {
  public:
-  using rosenbrock4_controller::rosenbrock4_controller;
+  RosenbrockStepper(double atol, double rtol) : atol_(atol), rtol_(rtol) {}
 
-  template <class System>
-  boost::numeric::odeint::controlled_step_result try_step(System system, const OdeState& y, double& t,
-                                                          OdeState& y_out, double& dt) {
-    m_stepper.do_step(system, y, t, y_out, dt, m_xerr.m_v);
-    const double err = error(y_out, y, m_xerr.m_v);
-    double factor = step_divisor(fourth_root(err));
-    if (!(err <= 1)) {
-      dt /= factor;
-      m_last_rejected = true;
-      return boost::numeric::odeint::fail;
-    }
-    if (!m_first_step)
-      factor = std::max(factor, step_divisor(m_dt_old / dt * fourth_root(err * err / m_err_old)));
-    m_first_step = false;
-    m_dt_old = dt;
-    m_err_old = std::max(0.01, err);
-    t += dt;
-    dt = m_last_rejected ? std::min(dt / factor, dt) : dt / factor;
-    m_last_rejected = false;
-    return boost::numeric::odeint::success;
+  void initialize(const OdeState& y, double t, double dt) {
+    current_ = y;
+    t_ = t;
+    dt_ = dt;
   }
 
+  // Makes one step and returns its interval. Throws Odeint's step_adjustment_error if no size is accepted.
+  template <class System>
+  std::pair<double, double> do_step(std::reference_wrapper<System> system) {
+    boost::numeric::odeint::failed_step_checker count_attempt;
+    t_old_ = t_;
+    for (bool accepted = false; !accepted; count_attempt()) accepted = try_step(system.get());
+    step_.prepare_dense_output();
+    std::swap(current_, other_);
+    return {t_old_, t_};
+  }
+
+  void calc_state(double t, OdeState& y) const {
+    step_.interpolate((t - t_old_) / (t_ - t_old_), other_, current_, y);
+  }
+  const OdeState& current_state() const { return current_; }
+  double current_time_step() const { return dt_; }
+
  private:
+  // Makes one step to other_ and chooses the size of the next one. Returns whether it is accepted.
+  template <class System>
+  bool try_step(System& system) {
+    OdeState y_err;
+    step_.make(system, current_, dt_, other_, y_err);
+    const double err = error(other_, y_err);
+    double divisor = step_divisor(fourth_root(err));
+    if (!(err <= 1)) {
+      dt_ /= divisor;
+      rejected_ = true;
+      return false;
+    }
+    if (!first_) divisor = std::max(divisor, step_divisor(dt_old_ / dt_ * fourth_root(err * err / err_old_)));
+    first_ = false;
+    dt_old_ = dt_;
+    err_old_ = std::max(0.01, err);
+    t_ += dt_;
+    dt_ = rejected_ ? std::min(dt_ / divisor, dt_) : dt_ / divisor;
+    rejected_ = false;
+    return true;
+  }
+
+  // Returns the root mean square of the ratios of error to tolerance.
+  double error(const OdeState& y, const OdeState& y_err) const {
+    double sum = 0;
+    for (int i = 0; i < COMPONENTS; ++i) {
+      const double scale = atol_ + rtol_ * std::max(std::abs(current_[i]), std::abs(y[i]));
+      sum += y_err[i] * y_err[i] / scale / scale;
+    }
+    return std::sqrt(sum / COMPONENTS);
+  }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   // Returns the divisor of the step size, with a safety factor of 0.9; 5 for a step that is not finite.
   static double step_divisor(double root) { return std::max(1.0 / 6, std::min(5.0, root / 0.9)); }
+
+  double atol_, rtol_;
+  RosenbrockStep step_;
+  OdeState current_{}, other_{};  // other_: where the last step began, or ends if it is accepted
+  double t_ = 0, t_old_ = 0, dt_ = 0;
+  bool first_ = true, rejected_ = false;
+  double dt_old_ = 0, err_old_ = 0;  // of the last accepted step
 };
 
 }  // namespace bristle
