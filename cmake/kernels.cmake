@@ -5,7 +5,7 @@ set(BRISTLE_KERNEL_OPTIMISATION -O3 CACHE STRING "optimisation of the SIMD kerne
 function(add_kernels_for target prefix source)
   set(name ${prefix}_${target})
   add_library(${name} OBJECT ${source})
-  target_link_libraries(${name} PRIVATE options Eigen3::Eigen PkgConfig::SLEEF)
+  target_link_libraries(${name} PRIVATE options PkgConfig::SLEEF)
   # Without debugging information, sanitizers and coverage, with which compiling this heavily inlined code takes ten
   # minutes. The kernels allocate no memory.
   target_compile_options(${name} PRIVATE ${BRISTLE_KERNEL_OPTIMISATION} -g0 -fno-sanitize=all

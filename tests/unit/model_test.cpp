@@ -5,6 +5,7 @@
 #include "bristle/model/equilibrium.hpp"
 
 #include "catch.hpp"
+#include <Eigen/Geometry>
 
 namespace bristle::model_test {
 using namespace testing;
