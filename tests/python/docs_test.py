@@ -29,7 +29,7 @@ COLUMNS = 100
 INSTEAD = [
     (rf"make ({FIGURES})$", r"make \1 TIER=smoke"),  # the full tier takes minutes
     (r"make (figures|findings|report)$", r"make -n \1"),
-    (r"make assumptions$", "make -n assumptions"),  # long; tests/unit/assumptions_test.cpp computes a small one
+    (r"make assumptions$", "make -n assumptions"),  # long; tests/unit/assumptions/assumptions_test.cpp computes a small one
     (r"make bench$", "make -n bench"),  # the test "benchmark: fast engine against Boost.Odeint" runs its engine part
     (r"make accuracy$", "make -n accuracy"),  # tests/python/accuracy_test.py
     (r"make (build|build-tests|test|test-all)$", r"make -n \1"),  # this test is part of them
