@@ -34,7 +34,7 @@ class Page(html.parser.HTMLParser):
         found = dict(attrs)
         self.tags.add(tag)
         self.ids += [found["id"]] if "id" in found else []
-        self.used |= {words[1:] for words in (found.get("href", ""), found.get("xlink:href", "")) if words.startswith("#")}
+        self.used |= {words[1:] for words in [found.get("href", "")] if words.startswith("#")}
         self.used |= set(found.get("aria-labelledby", "").split()) | set(re.findall(r"url\(#([^)]*)\)", " ".join(filter(None, found.values()))))
         self.linked += [words for words in (found.get("href", ""), found.get("src", "")) if re.match("/|http", words)]
         if re.fullmatch("h[1-6]", tag):

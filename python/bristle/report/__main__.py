@@ -40,8 +40,9 @@ def main():
     if not files:
         raise BristleError(f"no such files: {', '.join(arguments.results)}; `make figures` computes them")
     brush = os.path.isfile(arguments.brush)
-    figures = [figure(path, files[path]) if path in files else missing(path) for path in arguments.results]
-    page = render(figures, list(files.values()), BRUSH if brush else "", program.cite(arguments.program))
+    styles = {}
+    figures = [figure(path, files[path], styles) if path in files else missing(path) for path in arguments.results]
+    page = render(figures, list(files.values()), styles, BRUSH if brush else "", program.cite(arguments.program))
     folder = os.path.dirname(arguments.output)
     write_text(arguments.output, page)
     if brush:
@@ -51,14 +52,14 @@ def main():
     print(f"{arguments.output}: {len(files)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
 
-def figure(path, file):
-    """What the page says of one result."""
+def figure(path, file, styles):
+    """What the page says of one result; styles: of its drawings."""
     name, names = as_text(file.attrs["name"]), verdicts.symbols(file)
     said = [*experiment(file).get("notes", []), remarks.start_note(file), remarks.pinned_note(file), remarks.validity_note(file)]
     return {
         "name": name, "path": path, "present": True, "title": prose(as_text(file.attrs["title"])),
         "caption": prose(as_text(file.attrs.get("caption", ""))),
-        "tier": as_text(file.attrs.get("tier", "full")), "drawings": drawings.draw(name, file),
+        "tier": as_text(file.attrs.get("tier", "full")), "drawings": drawings.draw(name, file, styles),
         "notes": [prose(note, names) for note in said if note], "claims": claims.read(name, file, names),
         "limits": remarks.limits(file), "statuses": status_counts(file), **sources.provenance(file, path),
     }
@@ -90,11 +91,11 @@ def limits(figures):
     return found
 
 
-def render(figures, files, brush, bibtex):
+def render(figures, files, styles, brush, bibtex):
     environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined,
                               trim_blocks=True, lstrip_blocks=True)
     with open(os.path.join(TEMPLATES, "page.css"), encoding="utf-8") as file:
-        css = Markup(file.read())
+        css = Markup(file.read() + "".join(f".{name} {{ {style} }}\n" for style, name in styles.items()))
     shown = [one for one in figures if one["present"]]
     first, context = findings(files)
     return environment.get_template("page.html.j2").render(
