@@ -30,7 +30,7 @@ std::string indices_text(const SobolIndices& indices, const std::vector<std::str
                          std::size_t blocks, const std::string& remedy);
 
 // Throws InputError if the experiment has a block "analysis" that it cannot have: without a sample, with
-// Sobol indices of a sample that is not by sobol, with a traced curve, or beside a block "design".
+// Sobol indices of a sample that is not by sobol, or beside a block "design".
 void read_analysis(const Experiment& experiment);
 // Throws InputError as read_analysis() does, and if the block names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);
