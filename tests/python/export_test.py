@@ -104,10 +104,10 @@ def check_outputs(path):
     assert "is not a table exported by bristle" in run("export", path, "-o", folder / "mine.csv", code=2)
     assert (folder / "mine.csv").read_text() == "a,b\n1,2\n"
     assert "is not a table exported by bristle" in run("export", path, "-o", path, code=2)
-    (folder / "curves.csv").unlink(missing_ok=True)
-    run("export", folder / "curves.h5")
-    run("export", folder / "curves.h5")
-    with open(folder / "curves.csv", encoding="utf-8") as stream:
+    (folder / "jumps.csv").unlink(missing_ok=True)
+    run("export", folder / "jumps.h5")
+    run("export", folder / "jumps.h5")
+    with open(folder / "jumps.csv", encoding="utf-8") as stream:
         assert stream.readline().startswith("# bristle export: ")
         rows = [row for row in csv.reader(stream) if not row[0].startswith("#")]
     assert len({len(row) for row in rows}) == 1, "rows of different lengths"

@@ -21,7 +21,7 @@ BLOCKS = ["model", "si", "load", "orientation", "scatter", "integrator", "sweep"
 
 # What the program refuses and the schema does not: its message, and the reason.
 PROGRAM_ONLY = {
-    "neither R_n nor z_0 is given|R_n and z_0 are both given": "whether the extended file gives a load",
+    "neither R_n nor z_0 is given|R_n and z_0 are both given|is given, and so is R_n_N": "whether the extended file gives a load",
     "found (none|.* and )|needs \"values\" alone": "whether the extended file has this axis",
     "ascending indices": "order of the indices, and number of the axis's values",
     "the values must ascend|must end above its start": "order of the values",
