@@ -39,16 +39,15 @@ def export(program, path, *options):
             return file.read()
 
 
-def measure(program, path, reading, quantities):
-    """What the program measures on a result under a reading: the number of each quantity, which is described by the keys
-    of a check (docs/claims.md); NaN without a value."""
+def measure(program, path, check):
+    """What the program measures on a result for the keys of a check (docs/claims.md), by reading; NaN without a value."""
     unjudged = {"claim": "-", "statement": "-", "is": "at_least", "threshold": 0}
     with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
-        json.dump({"checks": [{**unjudged, **one} for one in quantities]}, file, default=float)
+        json.dump({"checks": [{**unjudged, **check}]}, file, default=float)
         file.flush()
         lines = export(program, path, "--group", "checks", "--checks", file.name).splitlines()
     rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-    return [float(row["measured"] or "nan") for row in rows if row["reading"] == reading]
+    return {row["reading"]: float(row["measured"] or "nan") for row in rows}
 
 
 def laws(program, experiment):

@@ -19,6 +19,7 @@ from matplotlib.text import Text
 from in_process import SOURCE, called
 from bristle import BristleError, draw, open_result
 from bristle.figures.design import draw_profile, in_units
+from bristle.pages import quantities
 from bristle.plotting.verdicts import measured_text, read_claims
 from bristle.program import measure
 from bristle.results import table
@@ -86,20 +87,40 @@ def check_profile():
 
 
 def check_measure():
-    """What the program measures for an explanation is what a check of the result measured, under the same reading."""
+    """What the program measures for a sentence is what a check of the result measured, under each reading."""
     with h5py.File(results[0]) as file:
-        names = [name.decode() for name in file["checks/claim"]]
-        row = names.index("7a")
-        reading, measured = file["checks/reading"][row].decode(), file["checks/measured"][row]
+        columns = {name: file[f"checks/{name}"][()] for name in ("claim", "declared", "reading", "measured")}
+    first = columns["declared"] == columns["declared"][list(columns["claim"]).index(b"7a")]
+    measured = {reading.decode(): value for reading, value in zip(columns["reading"][first], columns["measured"][first])}
     end_ratio = {"predicate": "end_ratio", "variable": "R_x_norm", "along": "k_r",
                  "where": {"friction": "nss", "nominal_friction": 6.1984}}
-    assert measure(bristle, results[0], reading, [end_ratio] * 2) == [measured] * 2
+    assert len(measured) == 3 and measure(bristle, results[0], end_ratio) == measured, measured
     try:
-        measure(bristle, results[0], reading, [{**end_ratio, "variable": "R_z"}])
+        measure(bristle, results[0], {**end_ratio, "variable": "R_z"})
     except BristleError as error:
         assert "R_z" in str(error), error
     else:
         raise AssertionError("an unknown variable was measured")
+
+
+def check_sentences():
+    """The numbers between braces: values at the ends and at the nearest values of axes, ranges, conditions, ratios, and formats."""
+    quantities.PROGRAM.set(str(bristle))
+    with open_result(results[0]) as file:
+        friction = file["R_x_norm"].sel(friction="nss").isel(nominal_friction=-1)
+        first = float(friction.sel(bending="rod").isel(k_r=0))
+        ratios = [float(one.isel(k_r=-1) / one.isel(k_r=0)) for one in (friction.sel(bending=word) for word in quantities.READINGS)]
+        bouncing = file["R_x_norm"].where(quantities.holds(file, "phase", ["bouncing"])).values
+        every = "friction=nss nominal_friction=last"
+        for sentence, expected in (
+                (f"R_x_norm bending=rod k_r=5.1 {every}:.4f", f"{first:.4f}"),
+                (f"k_r k_r=first:axis}} to {{k_r:most axis", "5 to 100"),
+                (f"end_ratio R_x_norm along k_r {every} each:.3f", f"{ratios[0]:.3f} (as printed {ratios[1]:.3f}, rod {ratios[2]:.3f})"),
+                (f"1 / end_ratio R_x_norm along k_r {every} all:.2f", f"{min(1 / one for one in ratios):.2f} to {max(1 / one for one in ratios):.2f}"),
+                ("R_x_norm phase=bouncing:range .3f", f"{np.nanmin(bouncing):.3f} to {np.nanmax(bouncing):.3f}"),
+                ("count phase=bouncing", str(np.isfinite(bouncing).sum())), ("steps k_r", str(file.sizes["k_r"] - 1)),
+                ("setting load/R_n:g", "2")):
+            assert (said := quantities.filled_in(f"{{{sentence}}}", file)) == expected, (sentence, said, expected)
 
 
 def check_performance():
@@ -199,6 +220,7 @@ check_findings()
 check_guide()
 check_profile()
 check_measure()
+check_sentences()
 check_performance()
 check_drawings()
 check_drawing_of_brush()

@@ -11,8 +11,7 @@ from ..plotting.verdicts import measured_text
 from ..results import as_text, open_result, read, status_counts
 from .explanations import explain_claim
 from .markdown import filled, replace_between, table
-from .matrix import DEFAULT
-from .quantities import MATRIX, PROGRAM, READINGS
+from .quantities import PROGRAM, READINGS
 from .summary import all_verdicts, claims_of, further, in_context, in_short, joint, own_verdicts, readings_of, verdicts_of
 
 INTRODUCTION = """\
@@ -33,7 +32,7 @@ another denominator than the kinematics of the azimuth theta:
 [claims.md](claims.md) describes how claims are checked, [model.md](model.md) the equations and the
 baseline: the choices for what the paper leaves open. A paragraph has the checks that decide;
 `bristle check RESULT.h5 --all` prints the further ones, too, which are stricter or explain.
-`make findings` writes this page and the summary in README.md from the result files; no number in
+`make findings` writes this page and the summary in README.md from the result files; no result in
 them is typed. A dash stands for a number that could not be measured: the points have no values
 there, or the uncertainty has no bound.
 """
@@ -47,11 +46,8 @@ def main():
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
     parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     parser.add_argument("--program", default=PROGRAM.get(), help="what measures on the results (default: %(default)s)")
-    parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="matrices, of which the first that exists is read",
-                        default=DEFAULT)
     arguments = parser.parse_args()
     PROGRAM.set(arguments.program)
-    MATRIX.set(next(filter(os.path.exists, arguments.assumptions), None))
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]

@@ -5,7 +5,6 @@ from ..files import read_json
 
 SCHEMA = "bristle-assumptions/4"
 REMEDY = "`make assumptions` writes it"
-DEFAULT = ["results/assumptions.json", "reference/assumptions.json"]  # of these the first that exists
 TOGETHER = "together"  # the choice of alternatives that combine others
 
 
@@ -47,17 +46,3 @@ def digest_line(document):
 
 def reversed_verdict(cell, baseline):
     return {cell["verdict"], baseline["verdict"]} == {"supported", "refuted"}
-
-
-def verdicts_by_value(path, claim, choice, baseline):
-    """The verdicts on a claim by the values of a parameter, under the alternatives "NAME = VALUE" of this choice and the
-    baseline's, in their order; the matrix is of one reading."""
-    document = read_matrix(path)
-    row = next((cells for check, cells in zip(document["checks"], document["grid"]) if check["claim"] == claim), [])
-    found = {}
-    for alternative, cell in zip(document["alternatives"], row):
-        if alternative["name"] == "baseline":
-            found[float(baseline)] = cell["claim_verdict"]
-        elif alternative["name"].startswith(f"{choice} = "):
-            found[float(alternative["name"].rpartition("=")[2])] = cell["claim_verdict"]
-    return dict(sorted(found.items()))

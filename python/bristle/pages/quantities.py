@@ -1,24 +1,162 @@
-"""What explanations and the summary of the findings state: numbers from the result files or measured by the program, as text."""
+"""Sentences written by hand, with numbers from results: what stands between braces is measured, read or counted.
 
-from collections import namedtuple
+{end_ratio R_x_norm along k_r friction=nss:percent} is what a check with these keys would measure (docs/claims.md),
+{R_x k_r=last mu_c=2.5,5,10} lists a variable at the nearest values of its axes, {setting model/L_x} is of the experiment, and
+the words of WORDS are functions. After = stand numbers, a word of a choice, a range 0.5..1, `first` or `last` of an axis, and
+of k_r the ranges `before` and `behind` the jump of the gap and the steps about it, `jump`. Between two such descriptions /
+divides. At the end, `each` gives the number for every model of bending, and `all` the range over them. After the colon
+stands a format, see `text`.
+"""
+
+import json
+import re
 from contextvars import ContextVar
+from functools import lru_cache
 
 import numpy as np
 
-from ..plotting.verdicts import number
+from ..figures.hysteresis import windows
+from ..plotting.verdicts import measured_text, number
 from ..program import DEFAULT, measure
-from ..results import axis_values, constant, dataset, place_of, point_numbers, read, select, setting
-from .matrix import verdicts_by_value
+from ..results import axis_values, dataset, flags, place_of, read, setting
 
 READINGS = {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}  # models of bending
-
+PREDICATES = ("level", "rise", "end_ratio", "steepest_fall")
 PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
-MATRIX = ContextVar("matrix", default=None)  # the matrix of assumptions, if there is one
+DERIVED = {"local_friction": lambda file: file["R_x"] / file["R_x_norm"] / file["R_n"],
+           "R_x_pinned": lambda file: file["pinned_share_R_x"] * file["R_x"] / file["pinned_fraction"],
+           "scatter_of_formula": lambda file: file["lift_off_load_err"] / file["lift_off_load"]}
 
-# The three steps of k_r about the steepest fall of R_x_norm. place: k_r; ends: the k_r before and behind; share: of the whole
-# fall of ln R_x_norm; before: the factor by which R_x_norm changes up to there; area: by which gamma_3 falls there; gaps, spreads:
-# z_0 and F_n_spread before and behind; fall: the factor by which R_x_norm falls over all k_r.
-Jump = namedtuple("Jump", "place ends share before area gaps spreads fall")
+
+def filled_in(sentence, file, reading="", pairs=()):
+    """The sentence with the numbers of a result under a reading; pairs: the claim's checks, each with what it measured."""
+    return re.sub(r"\{([^{}:]*):?([^{}]*)\}", lambda found: said(found[1].split(), found[2], file, reading, pairs), sentence)
+
+
+def said(words, form, file, reading, pairs):
+    if words[0] in WORDS:
+        return WORDS[words[0]](words[1:], file, reading, pairs)
+    if words[-1] not in ("each", "all"):
+        return text(numbers(words, file, reading), form)
+    found = [numbers(words[:-1], file, one) for one in READINGS]
+    if words[-1] == "all":
+        return text(np.concatenate(found), f"range {form}")
+    first, *rest = (text(values, form) for values in found)
+    return f"{first} ({', '.join(f'{model} {one}' for model, one in zip(list(READINGS.values())[1:], rest))})"
+
+
+def text(values, form):
+    """The values with three digits, or as the format says: `axis`, of an axis; `percent`; or one of Python's. Before it may
+    stand `range`, for the smallest and the largest value, or one of them, `least` or `most`."""
+    *which, form = f" {form}".split(" ")
+    one = {"": short, "axis": chosen_at, "percent": percent}.get(form, lambda value: number(value, form))
+    if which == [""]:
+        return listed(values, one)
+    low, high = one(np.nanmin(values)), one(np.nanmax(values))
+    return {"least": low, "most": high, "range": low if low == high else f"{low} to {high}"}[which[1]]
+
+
+def numbers(words, file, reading):
+    if "/" in words:
+        at = words.index("/")
+        return numbers(words[:at], file, reading) / numbers(words[at + 1:], file, reading)
+    if words[0] in ("1", "setting"):
+        return np.array([float(setting(file, *words[1].split("/")) if words[1:] else 1)])
+    where = resolved([word.split("=") for word in words if "=" in word], file, reading)
+    if words[0] not in PREDICATES:
+        return values_of(file, words[0], where)
+    where = {key: one[0] if len(one) == 1 else one for key, one in where.items() if key != "bending"}
+    check = {"predicate": words[0], "variable": words[1], "along": words[3], "where": where}
+    return np.array([measured(PROGRAM.get(), place_of(file), json.dumps(check, default=float))[reading]])
+
+
+@lru_cache(maxsize=1000)
+def measured(program, path, check):
+    """What the program measures, by reading; check: JSON."""
+    return measure(program, path, json.loads(check))
+
+
+def resolved(conditions, file, reading):
+    """By name, the values of an axis or the words that are meant, or the ends of a range as a tuple."""
+    found = {"bending": [reading]} if reading else {}
+    for key, wanted in conditions:
+        line = axis_values(file, key) if key in file.dims else []
+        if wanted in ("before", "behind", "jump"):
+            found[key] = side(file, wanted, found)
+        elif ".." in wanted:
+            found[key] = tuple(map(float, wanted.split("..")))
+        elif wanted in ("first", "last"):
+            found[key] = [line[0 if wanted == "first" else -1]]
+        elif wanted[0].isdigit():
+            found[key] = [line[int(np.argmin(abs(line - float(one))))] for one in wanted.split(",")]
+        else:
+            found[key] = wanted.split(",")
+    return found
+
+
+def side(file, which, chosen):
+    """The range of k_r before or behind the jump of the gap on all curves, or of the steps about it."""
+    gaps = dataset(file, "z_0").sel({key: one for key, one in chosen.items() if key in file["z_0"].dims})
+    k_r, steps = axis_values(file, "k_r"), np.diff(np.log(gaps.transpose(..., "k_r").values.reshape(-1, file.sizes["k_r"])))
+    step = np.nanargmax(steps[np.isfinite(steps).any(axis=1)], axis=1)
+    low, high = min(step), max(step) + 1
+    ends = {"before": (0, low), "behind": (high, -1), "jump": (max(low - 1, 0), min(high + 1, len(k_r) - 1))}[which]
+    return tuple(k_r[list(ends)])
+
+
+def values_of(file, name, where):
+    data = DERIVED[name](file) if name in DERIVED else dataset(file, name)
+    for key, wanted in where.items():
+        if key not in data.dims:
+            data = data.where(holds(file, key, wanted)) if key in file.data_vars else data
+        else:
+            line = data[key]
+            data = data.isel({key: (line >= wanted[0]) & (line <= wanted[1])}) if isinstance(wanted, tuple) else data.sel({key: wanted})
+    return np.ravel(data)
+
+
+def holds(file, key, wanted):
+    """Where a variable is within the range, or one of flags has one of the words."""
+    if isinstance(wanted, tuple):
+        return (file[key] >= wanted[0]) & (file[key] <= wanted[1])
+    words, codes = flags(dataset(file, key))
+    return file[key].copy(data=np.isin(codes, [words.index(word) for word in wanted]))
+
+
+def checked(conditions, _file, _reading, pairs):
+    """{check KEY=VALUE...}: what the first check of the claim with these keys measured, with its uncertainty."""
+    wanted = [word.split("=") for word in conditions]
+    return measured_text([row for check, row in pairs if all(str(check.get(key)) == value for key, value in wanted)][0])
+
+
+def largest(words, file, reading, _pairs):
+    """{largest VARIABLE AXIS ...}: the largest value along an axis, and where it is."""
+    values = numbers([words[0], *words[2:]], file, reading)
+    at = int(np.nanargmax(values))
+    return f"{short(values[at])} at {words[1]} = {chosen_at(axis_values(file, words[1])[at])}"
+
+
+def counted(words, file, *_):
+    """{count FLAGS=WORD,...}: the number of points."""
+    name, wanted = words[0].split("=")
+    return str(int(holds(file, name, wanted.split(",")).sum()) or "none")
+
+
+def beyond(words, file, *_):
+    """{beyond FLAGS}: of the points with a value of R_x_norm those beyond the limit, in words."""
+    valued = np.isfinite(read(file, "R_x_norm"))
+    number_of = int(holds(file, words[0], ["yes"]).values[valued].sum())
+    return "every point" if number_of == valued.sum() else f"{number_of} of {valued.sum()} points"
+
+
+def steps(words, file, *_):
+    """{steps AXIS}: the number of steps between its values."""
+    return str(file.sizes[words[0]] - 1)
+
+
+WORDS = {"check": checked, "largest": largest, "count": counted, "beyond": beyond, "steps": steps,
+         "windows": lambda words, file, *_: " and ".join(windows(file, {"bending": words[0]}, "k_r")) or "nowhere",
+         "cot": lambda words, file, *_: f"{1 / np.tan(np.radians(setting(file, *words[0].split('/')))):.2f}"}
 
 
 def short(value):
@@ -37,145 +175,4 @@ def listed(values, text=short):
 
 
 def percent(share):
-    return f"{number(100 * share, '.0f' if abs(share) >= 0.1 else '.2g')} %"
-
-
-def at_most(shares):
-    return f"at most {percent(max(shares))}" if max(shares) > 0 else "none"
-
-
-def span(values, text=short):
-    """The smallest and the largest value."""
-    low, high = text(np.nanmin(values)), text(np.nanmax(values))
-    return low if low == high else f"{low} to {high}"
-
-
-def turns(x, y, share=0.15):
-    """The first and the last value, and between them those at which y turns, without swings below a share of its range."""
-    x, y = x[np.isfinite(y)], y[np.isfinite(y)]
-    step = np.diff(y)
-    kept = [0, *(np.flatnonzero(step[1:] * step[:-1] < 0) + 1), len(y) - 1]
-    while len(kept) > 2:
-        swings = abs(np.diff(y[kept]))
-        i = int(np.argmin(swings))
-        if swings[i] >= share * np.ptp(y):
-            break
-        del kept[max(i, 1):min(i + 2, len(kept) - 1)]
-    return ", ".join(f"{short(y[i])} (k_r = {chosen_at(x[i])})" for i in kept)
-
-
-def geometric_mean(file, name, **chosen):
-    """Over k_theta, for each k_r."""
-    return np.exp(np.log(select(dataset(file, name), ["k_r", "k_theta"], **chosen)).mean(axis=1))
-
-
-def measured(file, reading, *quantities):
-    """What the program measures: the number of each quantity, described by the keys of a check."""
-    return np.array(measure(PROGRAM.get(), place_of(file), reading, quantities))
-
-
-def nearest(values, wanted):
-    """Indices of the values that are nearest to the wanted ones."""
-    return [int(np.argmin(abs(values - one))) for one in wanted]
-
-
-def failing(pairs):
-    return [(check, row) for check, row in pairs if row.verdict != "supported"]
-
-
-def others(file, reading):
-    return [one for one in axis_values(file, "bending") if one != reading]
-
-
-def loads_at(file, k_r, gaps, reading):
-    """R_n for each k_r at each gap near first contact."""
-    return measured(file, reading, *({"predicate": "level", "variable": "R_n", "along": "k_r",
-                                      "where": {"z_0_target": gap, "k_r": one}} for gap in gaps for one in k_r))
-
-
-def unpaired(check):
-    """What the check measures, without what it compares."""
-    return {key: value for key, value in check.items() if key not in ("compare", "role")}
-
-
-def periodic_part(file, reading):
-    """L_y, and for each the standard deviations of R_n(t), the periodic part and all of it, over the mean; mean over
-    the seeds."""
-    point, t, load = (read(file, f"slab_force/{name}") for name in ("point", "t", "R_n"))
-    later = t >= constant(dataset(file, "slab_force/t"), "t_1")
-    numbers = point_numbers(file)
-    intervals = round(setting(file, "model", "spacing") / (t[1] - t[0]))  # of a row; V_0 = 1
-    widths, part, whole = axis_values(file, "L_y"), [], []
-    for width in widths:
-        found = []
-        for number in select(numbers, ["seed"], bending=reading, L_y=width, sampling="lattice"):
-            series = load[later & (point == number)]
-            phases = [series[i::intervals].mean() for i in range(intervals)]
-            found.append((np.std(phases) / series.mean(), series.std() / series.mean()))
-        part.append(np.mean([one for one, _ in found]))
-        whole.append(np.mean([one for _, one in found]))
-    return widths, part, whole
-
-
-def on_k_theta(file, reading):
-    """A sentence: at which k_theta the verdict on 8b turns."""
-    k_theta = setting(file, "model", "k_theta")
-    found = verdicts_by_value(MATRIX.get(), "8b", "k_theta", k_theta) if MATRIX.get() and reading == "polar" else {}
-    known = f"The caption of Figure 8 does not give k_theta, here {k_theta:g}"
-    if len(found) < 2:
-        return f"{known}."
-    values = {}
-    for value, verdict in found.items():
-        values.setdefault(verdict, []).append(value)
-    turns = ", ".join(f"{verdict} at {listed(at, chosen_at)}" for verdict, at in values.items())
-    return f"{known}, and the verdict depends on it: in the coarser runs of docs/assumptions.md it is {turns}."
-
-
-def where_saturated(file, reading):
-    """Variables of the stiffer bristles at mu_c of about 2.5, 5 and 10."""
-    k_r, mu_c = max(axis_values(file, "k_r")), axis_values(file, "mu_c")
-    at = nearest(mu_c, [2.5, 5, 10])
-    names = ("pinned_fraction", "pinned_share_R_x", "R_x", "R_x_unpinned")
-    found = {name: select(dataset(file, name), ["mu_c"], bending=reading, k_r=k_r)[at] for name in names}
-    with np.errstate(invalid="ignore"):
-        per_bristle = found["pinned_share_R_x"] * found["R_x"] / found["pinned_fraction"]
-    return {**found, "R_x_pinned": per_bristle, "k_r": k_r, "mu_c": mu_c[at]}
-
-
-def tau_by_side(x, y, behind):
-    """Kendall's tau between x and y for pairs across a border, before it and behind it."""
-    agrees = np.sign(x[:, None] - x) * np.sign(y[:, None] - y)
-    pairs = np.triu(np.isfinite(agrees), 1)
-    first, second = behind[:, None], behind[None, :]
-    kinds = (first != second, ~first & ~second, first & second)
-    return [agrees[pairs & kind].mean() if (pairs & kind).any() else np.nan for kind in kinds]
-
-
-def falls(file, reading, *names, **chosen):
-    """The factor by which each variable falls along k_r, geometric mean over the curves."""
-    return 1 / measured(file, reading, *({"predicate": "end_ratio", "variable": name, "along": "k_r", "where": chosen}
-                                         for name in names))
-
-
-def falls_of_laws(file, reading):
-    """By law and local friction, the factor by which R_x_norm falls from the lowest to the highest k_r of Figure 7."""
-    return {(law, nominal): falls(file, reading, "R_x_norm", friction=law, nominal_friction=nominal)[0]
-            for nominal in axis_values(file, "nominal_friction")[::-1] for law in axis_values(file, "friction")}
-
-
-def jump_of(file, reading):
-    """The jump of Figure 7 under nominal shear stress of the paper's magnitude."""
-    k_r = axis_values(file, "k_r")
-    law = {"friction": "nss", "nominal_friction": max(axis_values(file, "nominal_friction"))}
-
-    def along(predicate, name, **chosen):
-        return measured(file, reading, {"predicate": predicate, "variable": name, "along": "k_r", "where": {**law, **chosen}})[0]
-
-    place = along("steepest_fall", "R_x_norm")
-    i = int(np.searchsorted(k_r, place))  # the step ends there
-    before, behind = max(i - 2, 0), min(i + 1, len(k_r) - 1)
-    ends = [k_r[before], k_r[behind]]
-    gaps, spreads = (select(dataset(file, name), ["k_r"], bending=reading, **law)[[before, behind]] for name in ("z_0", "F_n_spread"))
-    return Jump(place, ends, along("rise", "R_x_norm", k_r=ends) / along("rise", "R_x_norm"),
-                along("end_ratio", "R_x_norm", k_r=[k_r[0], ends[0]]), 1 / along("end_ratio", "gamma_3", k_r=ends), gaps, spreads,
-                1 / along("end_ratio", "R_x_norm"))
+    return f"{number(100 * share, '.0f' if abs(share) >= 0.1 else '.2g')} %" if share else "none"
