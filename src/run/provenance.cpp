@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 #include <openssl/opensslv.h>
-#include <sleef.h>
 #include <sys/utsname.h>
 #include <fstream>
 #include <gnu/libc-version.h>
@@ -62,7 +61,7 @@ std::map<std::string, std::string> provenance(const std::vector<std::string>& ar
                                     NLOHMANN_JSON_VERSION_PATCH)},
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"highway", BRISTLE_HIGHWAY},
-      {"sleef", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR, SLEEF_VERSION_PATCHLEVEL)},
+      {"sleef", BRISTLE_SLEEF},
       {"openssl", OPENSSL_VERSION_STR},
       {"c_library", gnu_get_libc_version()},
       {"instruction_set", best_kernels().target},

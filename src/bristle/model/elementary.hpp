@@ -1,8 +1,22 @@
 #pragma once
 
-#include <sleef.h>
-
 #include <cmath>
+
+// SLEEF's functions, as sleef.h declares them. That header includes all vector intrinsics of the processor,
+// too, which takes longer to read than the whole model.
+extern "C" {
+double Sleef_cinz_sind1_u35purec(double);
+double Sleef_cinz_cosd1_u35purec(double);
+double Sleef_cinz_atand1_u35purec(double);
+double Sleef_cinz_tand1_u10purec(double);
+double Sleef_cinz_asind1_u10purec(double);
+double Sleef_cinz_acosd1_u10purec(double);
+double Sleef_cinz_expd1_u10purec(double);
+double Sleef_cinz_logd1_u10purec(double);
+double Sleef_cinz_powd1_u10purec(double, double);
+double Sleef_cinz_cbrtd1_u10purec(double);
+double Sleef_cinz_erfcd1_u15purec(double);
+}
 
 namespace bristle {
 
