@@ -1,22 +1,16 @@
 #include "json/schema.hpp"
 
+#include "json/mismatches.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
+#include <nlohmann/json.hpp>
 
 namespace bristle::json {
 namespace {
-
-using Plain = nlohmann::json;  // the type that valijson's adapter requires
-using Contexts = std::vector<std::vector<std::string>>;
 
 std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
@@ -37,24 +31,8 @@ std::string number_range(const Json& s) {
   return limits.empty() ? text : fmt::format("{} {}", text, fmt::join(limits, " and "));
 }
 
-// Returns the key or index in an element of valijson's context, such as "[k_r]".
+// Returns the key or index in an element of a place, such as "[k_r]".
 std::string token_of(const std::string& element) { return element.substr(1, element.size() - 2); }
-
-// Returns true if the value matches the schema. Appends the places of mismatches to `contexts`, if given:
-// lists such as "<root>", "[model]", "[k_r]".
-bool validate(const Plain& schema_document, const Json& value, Contexts* contexts) {
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  const valijson::adapters::NlohmannJsonAdapter schema_adapter(schema_document);
-  parser.populateSchema(schema_adapter, schema);
-  const Plain plain = value;
-  const valijson::adapters::NlohmannJsonAdapter target(plain);
-  valijson::ValidationResults results;
-  const bool fine = valijson::Validator().validate(schema, target, &results);
-  valijson::ValidationResults::Error error;
-  while (contexts && results.popError(error)) contexts->push_back(error.context);
-  return fine;
-}
 
 }  // namespace
 
@@ -156,10 +134,10 @@ void Schema::require_short_name(const Node& name) const {
 void Schema::check(const Document& document) const {
   Node node(document, "");
   require_short_name(node["name"]);
-  Contexts contexts;
-  if (validate(Plain(root_), document.json(), &contexts)) return;
+  const Mismatches found = mismatches(root_, document.json());
+  if (found.empty()) return;
   // The deepest mismatch is the cause; the mismatches above it follow from it.
-  const auto& deepest = *std::ranges::max_element(contexts, {}, &std::vector<std::string>::size);
+  const auto& deepest = *std::ranges::max_element(found, {}, &std::vector<std::string>::size);
   const Json* part = &resolve(root_);
   for (std::size_t i = 1; i < deepest.size(); ++i) {
     const std::string token = token_of(deepest[i]);
@@ -169,8 +147,6 @@ void Schema::check(const Document& document) const {
   explain(node, *part);
 }
 
-bool Schema::matches(const Json& part, const Json& value) const {
-  return validate(Plain(part), value, nullptr);
-}
+bool Schema::matches(const Json& part, const Json& value) const { return mismatches(part, value).empty(); }
 
 }  // namespace bristle::json
