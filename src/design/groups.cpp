@@ -34,9 +34,11 @@ void add_objective(Dataset& table, const Trials& trials, const Of& of, bool nomi
   Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
   column.name = "objective";
   column.long_name = fmt::format("{}: {}", objective.text(), column.long_name);
+  if (objective.of != Statistic::nominal) column.attributes.emplace_back("statistic", word(objective.of));
   table.add(column, [&](std::size_t row) { return of(row).value; });
   column.name += "_err";
   column.long_name = "error of " + objective.variable;
+  column.attributes.clear();
   table.add(column, [&](std::size_t row) { return of(row).error; });
 }
 

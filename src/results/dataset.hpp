@@ -25,6 +25,7 @@ struct Column {
   std::string units = "1";           // "": none, and the file states none
   std::vector<std::pair<std::string, double>> constants{};  // constants of the definition, as attributes
   std::string ancillary{};                                  // names of variables about this one
+  std::vector<std::pair<std::string, std::string>> attributes{};  // further ones, such as "formula"
 };
 
 // Numbers, or codes of words, over named dimensions.

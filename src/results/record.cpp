@@ -79,7 +79,7 @@ PointLayout::PointLayout(const Sweep& sweep) {
     variables.back().equation = "docs/lift-off.md";
   }
   for (const ValidityRow& row : kValidity)
-    add_code(row.name, fmt::format("beyond a limit of the model: {}", row.meaning), words<Exceeds>(),
+    add_code(row.name, row.meaning, words<Exceeds>(),
              [&row](const PointResult& p) { return exceeds(row, p); });
   if (sweep.record.bristles) tables.emplace_back("bristles");
   if (!sweep.record.trajectories.empty()) tables.emplace_back("trajectories");

@@ -245,17 +245,22 @@ void add_lift_off(Variables& variables, bool si) {
     const double lift_off = load(p).value, value = p.value[R_N] / lift_off;
     return Quantity{value, kLiftOff.scatter * value + p.error[R_N] / lift_off, p.load_error[R_N] / lift_off};
   };
-  const std::string formula =
-      fmt::format("load below which the tips bounce: {:.2g} (k_r k_phi)^(1/2) - {:.2g} k_phi ln(k_phi)",
-                  kLiftOff.of_springs, kLiftOff.of_speed);
+  const char* long_name = "load below which the tips bounce, by a formula";
   variables.push_back(
-      {{"lift_off_load", formula, R"(\tilde{R}_n^*/N_{c,0})", where}, load, Errors::estimated});
+      {{.name = "lift_off_load",
+        .long_name = long_name,
+        .symbol = R"(\tilde{R}_n^*/N_{c,0})",
+        .equation = where,
+        .attributes = {{"formula", fmt::format("{:.2g} (k_r k_phi)^(1/2) - {:.2g} k_phi ln(k_phi)",
+                                               kLiftOff.of_springs, kLiftOff.of_speed)}}},
+       load,
+       Errors::estimated});
   variables.push_back({{"load_over_lift_off", "normal load over the lift-off load", "R_n/R_n^*", where},
                        ratio,
                        Errors::with_load});
   if (!si) return;
   variables.push_back({{.name = "lift_off_load_in_N",
-                        .long_name = "load below which the tips bounce, by a formula",
+                        .long_name = long_name,
                         .symbol = R"(R_n^*/N_{c,0})",
                         .equation = where,
                         .units = "N"},

@@ -20,6 +20,7 @@ void describe(hid_t dataset, const Column& column) {
   h5::write_attribute(dataset, "symbol", column.symbol);
   h5::write_attribute(dataset, "equation", column.equation);
   if (!column.ancillary.empty()) h5::write_attribute(dataset, "ancillary_variables", column.ancillary);
+  for (const auto& [name, text] : column.attributes) h5::write_attribute(dataset, name.c_str(), text);
   for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
   if (column.number != Number::code) return;
   std::vector<signed char> values(column.words.size());

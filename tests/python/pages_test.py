@@ -69,6 +69,7 @@ def check_guide():
         lines = file["trials"].attrs["summary"].decode().split("\n")
         found = file["verification"]
         number = f"{found['objective'][0]:.2f} ± {found['objective_err'][0]:.2f}"
+        assert found["objective"].attrs["statistic"] == b"q95" and "statistic" not in found["objective_err"].attrs
         brushes = found["brushes"][0]
     assert " ".join(" ".join(lines).split()) in page
     assert f"Of {brushes} brushes made like it" in page and number in page, (number, page)

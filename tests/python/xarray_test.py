@@ -35,6 +35,7 @@ def check_variables(data):
         for other in data[name].attrs.get("ancillary_variables", "").split():
             assert other in data, (name, other)
     assert data["incomplete_theta_0"].attrs["units"] == "rad"
+    assert "ln(k_phi)" in data["lift_off_load"].attrs["formula"] and "formula" not in data["z_0"].attrs
     assert (data["R_x_norm_err"] < 0.05 * data["R_x_norm"]).where(data["R_x_norm"].notnull(), True).all()
     meanings = data["status"].attrs["flag_meanings"].split()
     assert len(meanings) == len(np.atleast_1d(data["status"].attrs["flag_values"]))

@@ -10,7 +10,7 @@ from ..plotting.layout import Cell, across, corners, heading, place_cell, sheet
 from ..plotting.page import lettered, points
 from ..plotting.readings import one_page
 from ..plotting.style import COLOURS, displayed, label, value_ticks
-from ..results import attribute, place_of, table, table_with
+from ..results import as_text, attribute, place_of, table, table_with
 
 AXES = ["sample"]
 STATUSES = False  # no point is marked
@@ -83,8 +83,7 @@ def draw_trials(axes, trials, best, brush):
 def objective_label(group):
     """The symbol and the unit of the objective's variable, and the statistic over the tolerances."""
     variable = group["objective"]
-    text = attribute(variable, "long_name").split(":")[0]
-    statistic = text[text.rindex("(") + 1:-1] + " of " if text.endswith(")") else ""
+    statistic = f"{as_text(variable.attrs['statistic'])} of " if "statistic" in variable.attrs else ""
     return statistic + label(variable)
 
 

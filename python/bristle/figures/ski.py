@@ -12,6 +12,7 @@ from ..results import CHOICE_NAMES, attribute, axis_values, dataset, select
 AXES = ["friction", "R_n_N", "V0_m_per_s"]
 # Of each column: the variable, the axis it is drawn over, and the axis that tells the curves apart.
 COLUMNS = [("friction_coefficient", "V0_m_per_s", "R_n_N"), ("R_x_in_N", "R_n_N", "V0_m_per_s")]
+TITLES_OF = {"friction_coefficient": "friction force over normal load", "R_x_in_N": "friction force"}
 SHOWN = 4  # curves in a panel at most
 
 
@@ -38,7 +39,7 @@ def draw(file):
             lines, texts = axes.get_legend_handles_labels()
             entries |= dict(zip(texts, lines))
             statuses |= found
-        title = attribute(dataset(file, name), "long_name").split(" per")[0]
+        title = TITLES_OF[name]
         heading(axes, letter, f"{CHOICE_NAMES.get(law, law)}: {title}", [CHOICE_NAMES.get(law, law), title])
     legend_at_foot(figure, entries | statuses, bottom)
     return figure

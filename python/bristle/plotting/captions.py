@@ -61,7 +61,7 @@ def caption(module, file, reading, page, ending="", chosen=()):
     names = [name for name in getattr(module, "VARIABLES", []) if name in file and not ending]
     if any(described(file[name]) in labels for name in names):
         names = []
-    shown = [f"{plain(attribute(file[name], 'long_name')).partition(':')[0]}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
+    shown = [f"{plain(attribute(file[name], 'long_name'))}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
     if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
     shown += [f"({letter}) " * bool(letter) + with_symbols(", ".join(found)) for letter, found in chosen]
@@ -102,9 +102,9 @@ def of_labels(file, labels):
 
 def axis_range(file, name):
     data, line = dataset(file, name), axis_values(file, name)
-    title = plain(data.attrs.get("long_name", readable(name)))
     if isinstance(line[0], str):
-        return f"{title.partition(':')[0]}: {', '.join(CHOICE_NAMES.get(word, readable(word)) for word in line)}"
+        return f"{readable(name)}: {', '.join(CHOICE_NAMES.get(word, readable(word)) for word in line)}"
+    title = plain(data.attrs.get("long_name", readable(name)))
     symbol, units = as_text(data.attrs.get("symbol", "")), plain(data.attrs.get("units", "1"))
     values = f"{line[0]:.4g} to {line[-1]:.4g}" if len(line) > 5 else ", ".join(f"{value:.4g}" for value in line)
     values += "" if units == "1" else f" {units}"

@@ -3,7 +3,7 @@ where the model is beyond its limits."""
 
 import numpy as np
 
-from ..results import CHOICE_NAMES, axis_names, axis_values, dataset, flags
+from ..results import CHOICE_NAMES, as_text, axis_names, axis_values, dataset, flags
 
 CRUSHED = "Bristles are crushed upright, not bent, as the slab comes down"
 
@@ -51,7 +51,7 @@ def limits(file, reading=None):
         data = file[name].sel(reading or {})
         words = data.attrs["flag_meanings"].split()
         beyond, judged = data == words.index("yes"), data != words.index("unknown")
-        found.append((data.attrs["long_name"].partition(": ")[2], int(beyond.sum()), int(judged.sum())))
+        found.append((as_text(data.attrs["long_name"]), int(beyond.sum()), int(judged.sum())))
     return found
 
 
