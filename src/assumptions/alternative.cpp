@@ -78,7 +78,7 @@ std::vector<Alternative> read_alternatives(const std::vector<std::string>& files
   std::vector<std::pair<std::string, Json>> documents;
   for (const std::string& file : files) {
     const json::Document document = json::Document::stored(read_json_file(file), file);
-    json::Schema(Json::parse(assumption_schema())).check(document);
+    json::Schema(parse_json(assumption_schema())).check(document);
     const Json& json = documents.emplace_back(file, document.json()).second;
     for (const Json& one : json.value("alternatives", Json::array()))
       out.push_back(

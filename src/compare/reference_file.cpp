@@ -161,7 +161,7 @@ json::Document checked_document(const std::string& text, const std::string& path
                                 std::map<std::string, NumberRows>& rows) {
   const auto checked = [&](const Json& json) {
     const auto document = json::Document::stored(json, path);
-    json::Schema(Json::parse(reference_schema())).check(document);
+    json::Schema(parse_json(reference_schema())).check(document);
     return document;
   };
   Json json;

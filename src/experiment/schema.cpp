@@ -77,7 +77,7 @@ Json scatter_widths() {
 }
 
 Json assemble() {
-  Json schema = Json::parse(experiment_schema_text());
+  Json schema = parse_json(experiment_schema_text());
   const auto set_words = [&](const char* pointer, Words words) {
     schema[JsonPointer(pointer)]["enum"] = words;
   };

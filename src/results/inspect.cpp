@@ -211,7 +211,7 @@ void require_plain_hdf5(hid_t file, std::size_t size) {
 std::vector<std::string> damage_of(const std::function<h5::Handle()>& open, std::size_t size) {
   const Limits limits{kSeconds + long(size / kBytesPerSecond), kMemory + 4 * size};
   const std::string found = run_isolated([&] { return inspect(open(), size).dump(); }, limits);
-  return Json::parse(found);
+  return parse_json(found);
 }
 
 }  // namespace bristle::results

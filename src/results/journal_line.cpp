@@ -1,4 +1,5 @@
 #include "results/journal.hpp"
+#include "util/error.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>
@@ -84,10 +85,14 @@ class LineReader {
   // Reads the last member, a text with any escapes.
   bool failure(std::string& out) {
     if (!literal(R"(,"failure":)") || !rest_.ends_with('}')) return false;
-    const Json text = Json::parse(rest_.substr(0, rest_.size() - 1), nullptr, false);
-    if (!text.is_string()) return false;
-    out = text;
-    return true;
+    try {
+      const Json text = parse_json(std::string(rest_.substr(0, rest_.size() - 1)));
+      if (!text.is_string()) return false;
+      out = text;
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
   }
 
   std::string_view rest_;
