@@ -155,32 +155,18 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 	@$(NINJA) bench_engine bench_quadrature scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
-DESIGNS := target target_at_jump robust indices
-bench: build ## benchmarks: ratios against peers in the same run, into docs/generated/performance.md
+bench: build report-packages ## benchmarks: ratios against peers in the same run, into docs/generated/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
 	@$(NINJA) bench_engine bench_quadrature scipy_slopes
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/bench_engine >$(BUILD)/bench/engine.json
-	$$($(PLOT_PYTHON)) benchmarks/port_limit.py $(BUILD)/benchmarks/bench_engine $(BUILD)/bench/engine.json \
-	  >$(BUILD)/bench/kernel.json
 	$(BUILD)/benchmarks/bench_quadrature >$(BUILD)/bench/quadrature.json
 	$$($(PLOT_PYTHON)) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(FIGURES:%=experiments/%.json) >$(BUILD)/bench/figures.json
-	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
-	  >$(BUILD)/bench/designs.json
 	$$($(PLOT_PYTHON)) scripts/time_build.py >$(BUILD)/bench/build.json
-	@$(MAKE) --no-print-directory measure-commands
-	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench
-
-# Of the benchmarks only that of the commands on finished results, and its table.
-.PHONY: measure-commands bench-commands
-measure-commands: build report-packages
-	@mkdir -p $(BUILD)/bench
 	$$($(PLOT_PYTHON) jinja2) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
-
-bench-commands: measure-commands
-	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only commands
+	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench
 
 accuracy: build ## errors of the methods, measured: docs/generated/accuracy.md
 	@$(NINJA) accuracy

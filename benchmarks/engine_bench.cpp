@@ -3,7 +3,6 @@
 // runs each solver once, measures only the ratio to the reference engine, which is based on Boost.Odeint, and
 // fails if the ratio is below --per-lane times the number of SIMD lanes.
 #include "bristle/dynamics/ode.hpp"
-#include "kernel_speed.hpp"
 #include "odeint_peers.hpp"
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
@@ -16,25 +15,10 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 using namespace bristle;
 using namespace bristle::bench;
 using Json = nlohmann::ordered_json;
-
-namespace bristle {
-using Steps = Events (*)(Block&);
-#if HWY_ARCH_X86
-namespace N_AVX3 {
-extern const Steps kOtherPairs[3];
-extern const Rates kRates;
-}  // namespace N_AVX3
-namespace N_AVX2 {
-extern const Steps kOtherPairs[3];
-extern const Rates kRates;
-}  // namespace N_AVX2
-#endif
-}  // namespace bristle
 
 namespace {
 
@@ -103,17 +87,6 @@ std::vector<Peer> make_peers(const Bristles& bristles) {
     peers.push_back({fmt::format("lanes, {}", kernels->target),
                      [&bristles, kernels](double rtol) { return run_lanes(*kernels, bristles.at(rtol)); },
                      usual});
-#if HWY_ARCH_X86
-  const bool wide = std::string(best_kernels().target) != "AVX2";
-  const Steps* steps = wide ? N_AVX3::kOtherPairs : N_AVX2::kOtherPairs;
-  for (int i = 0; i < 3; ++i) {
-    Kernels other = best_kernels();
-    other.far_steps = steps[i];
-    const char* name[] = {"ARK3(2)4L[2]SA", "ARK4(3)7L[2]SA", "ARK5(4)8L[2]SA_b"};
-    peers.push_back({fmt::format("lanes, {}, {}", other.target, name[i]),
-                     [&bristles, other](double rtol) { return run_lanes(other, bristles.at(rtol)); }, usual});
-  }
-#endif
   const auto run = [](OdeintPeer integrate, const std::vector<PassageTask>& tasks) {
     std::vector<Passage> out(tasks.size());
     for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -182,57 +155,6 @@ Json all_kinds(int count, double rtol, double odeint_rtol) {
           {"lane_utilisation", usage.passage_steps / usage.lane_steps}};
 }
 
-// The same bristles under both contacts with the slab: time per bristle, and steps of a passage.
-Json contacts(double rtol) {
-  Json out = Json::array();
-  for (const Bending bending : {Bending::polar, Bending::rod}) {
-    const Bristles wall(1024, 1.8, bending), hertz(1024, 1.8, bending, Contact::hertz);
-    std::vector<Passage> of_wall, of_hertz;
-    const auto steps = [](const std::vector<Passage>& passages) {
-      double sum = 0;
-      for (const Passage& passage : passages) sum += double(passage.steps);
-      return sum / double(passages.size());
-    };
-    const double ratio = paired_ratio([&] { of_hertz = run_lanes(best_kernels(), hertz.at(rtol)); },
-                                      [&] { of_wall = run_lanes(best_kernels(), wall.at(rtol)); });
-    out.push_back({{"bending", word(bending)},
-                   {"hertz_over_wall", ratio},
-                   {"steps_wall", steps(of_wall)},
-                   {"steps_hertz", steps(of_hertz)}});
-  }
-  return out;
-}
-
-Json scaling() {
-  Json out = Json::array();
-  const Bristles bristles(4096, M_PI);
-  const auto all = bristles.at(1e-5);
-  for (const int count : {16, 64, 256, 1024, 4096})
-    for (const unsigned threads : {1u, std::max(1u, std::thread::hardware_concurrency())}) {
-      const double time = seconds([&] {
-        std::vector<std::thread> pool;
-        for (unsigned t = 0; t < threads; ++t)
-          pool.emplace_back([&, t] {
-            const auto begin = all.begin() + count * int(t) / int(threads),
-                       end = all.begin() + count * int(t + 1) / int(threads);
-            run_lanes(best_kernels(), {begin, end});
-          });
-        for (std::thread& thread : pool) thread.join();
-      });
-      out.push_back({{"bristles", count}, {"threads", threads}, {"ms_per_bristle", 1e3 * time / count}});
-    }
-  return out;
-}
-
-Json kernel(Bending bending) {
-#if HWY_ARCH_X86
-  const std::string target = best_kernels().target;
-  if (target != "SCALAR")
-    return kernel_speed(best_kernels(), bending, target == "AVX2" ? N_AVX2::kRates : N_AVX3::kRates);
-#endif
-  return nullptr;
-}
-
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
@@ -244,12 +166,11 @@ std::string processor() {
 
 int main(int argc, char** argv) {
   CLI::App app("Speed of the SIMD engine compared with other solvers");
-  bool quick = false, kernel_only = false;
+  bool quick = false;
   double per_lane = 0;
   app.add_flag("--quick", quick, "measure only the ratio to the reference engine");
   app.add_option("--per-lane", per_lane,
                  "with --quick: fail if the ratio is below this times the number of SIMD lanes");
-  app.add_flag("--kernel", kernel_only, "measure only the kernels: far from the pole, and of rods");
   CLI11_PARSE(app, argc, argv);
   // On this sample the fast engine and Odeint have about equal errors at these tolerances.
   constexpr double rtol = 1e-5, odeint_rtol = 1e-4;
@@ -270,14 +191,7 @@ int main(int argc, char** argv) {
   Json out;
   out["processor"] = processor();
   out["instruction_set"] = best_kernels().target;
-  out["kernel"] = {{"polar", kernel(Bending::polar)}, {"rod", kernel(Bending::rod)}};
-  if (kernel_only) {
-    fmt::print("{}\n", out.dump(1));
-    return 0;
-  }
   out["ordinary"] = ordinary();
   out["all_kinds"] = all_kinds(1984, rtol, odeint_rtol);
-  out["contacts"] = contacts(rtol);
-  out["scaling"] = scaling();
   fmt::print("{}\n", out.dump(1));
 }

@@ -73,28 +73,6 @@ Json compare(const Case& c) {
   return out;
 }
 
-// Passages by their purpose, over points of Figure 4.
-Json purposes() {
-  const PassageRunner run = make_runner(Engine::fast);
-  std::array<long, purpose::PURPOSES> sum{};
-  int points = 0;
-  for (const double k_r : {3., 5., 8., 13., 22., 36., 60., 100.})
-    for (const double k_theta : {0.3, 0.65, 1.4, 3.}) {
-      Setup setup;
-      setup.parameters.k_r = k_r;
-      setup.parameters.k_theta = k_theta;
-      setup.parameters.C = chi_C_peak_at_V_s(setup.parameters.A);
-      setup.integrator = {3e-5, 6e-5};
-      const PointResult point = solve_point(setup, {}, run);
-      for (int i = 0; i < purpose::PURPOSES; ++i) sum[i] += point.passages_for[i];
-      ++points;
-    }
-  return {{"points", points},
-          {"scan", sum[purpose::SCAN]},
-          {"crossing", sum[purpose::CROSSING]},
-          {"values", sum[purpose::VALUES]}};
-}
-
 }  // namespace
 
 int main() {
@@ -103,6 +81,6 @@ int main() {
     fmt::print(stderr, "quadrature at k_r {}, z_0 {} ...\n", c.k_r, c.z_0);
     cases.push_back(compare(c));
   }
-  const Json out = {{"cases", cases}, {"purposes", purposes()}};
+  const Json out = {{"cases", cases}};
   fmt::print("{}\n", out.dump(1));
 }

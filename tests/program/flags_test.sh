@@ -45,7 +45,7 @@ for command in "run --tier smoke -o $folder/r.h5" "run --complete -o $folder/r.h
   expect 3 "sums are not rounded to the nearest number" changed $command "$source/experiments/fig4.json"
 done
 expect 3 "nothing was computed" changed assumptions -o "$folder/m.json"
-expect 3 "nothing was computed" changed design "$source/benchmarks/designs/target.json" -o "$folder/d.h5"
+expect 3 "nothing was computed" changed design "$source/experiments/design.json" -o "$folder/d.h5"
 expect 3 "nothing was computed" changed verify "$folder/archive.tar" --rerun 1
 expect 3 "nothing was computed" changed check "$folder/r.h5"
 expect 3 "nothing was computed" changed diff "$folder/r.h5" "$folder/r.h5"

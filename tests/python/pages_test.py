@@ -137,22 +137,15 @@ def check_performance():
     (folder / "figures.json").write_text(done.stdout)
     (figure,) = json.loads(done.stdout)
     assert figure["points"] == 1 and figure["passages"] > 10 and 0 < figure["seconds"] < 60, figure
-    write("designs.json", [{**figure, "name": "target", "title": "a design", "cpu_seconds": 7}])
     curve = [{"error": error, "ms_per_bristle": cost, "evaluations": 100} for error, cost in ((1e-5, 0.4), (1e-4, 0.2), (1e-3, 0.1))]
     slow = [{**point, "ms_per_bristle": 7 * point["ms_per_bristle"]} for point in curve]
     write("engine.json", {
-        "processor": "a processor", "instruction_set": "AVX2", "scaling": [{"bristles": 64, "threads": 2, "ms_per_bristle": 0.123}],
+        "processor": "a processor", "instruction_set": "AVX2",
         "ordinary": [{"name": "SIMD, 8 lanes", "curve": curve, "ratio_at_1e-4": 1}, {"name": "Odeint", "curve": slow, "ratio_at_1e-4": 7}],
-        "all_kinds": {"bristles": 321, "error": 1e-5, "odeint_error": 2e-5, "ms_per_bristle": 0.456, "ratio": 9.8, "lane_utilisation": 0.87},
-        "contacts": [{"bending": "rod", "steps_wall": 123, "steps_hertz": 98, "hertz_over_wall": 0.76}]})
+        "all_kinds": {"bristles": 321, "error": 1e-5, "odeint_error": 2e-5, "ms_per_bristle": 0.456, "ratio": 9.8, "lane_utilisation": 0.87}})
     write("scipy.json", [{"name": "SciPy", "curve": [{**point, "ms_per_bristle": 50 * point["ms_per_bristle"]} for point in curve]}])
-    kernel = {"width": 4, "clock_GHz": 3, "ns_per_lane_step": 100, "cycles_per_lane_step": 300, "limit_cycles_per_lane_step": 200,
-              "cycles_per_multiply_add": 0.5, "cycles_per_division": 4, "all_per_vector_step": 5000,
-              "arithmetic_per_vector_step": 2500, "divisions_per_vector_step": 12, "phases": {"first_stage": 1}}
-    write("kernel.json", {"polar": kernel, "rod": {**kernel, "cycles_per_lane_step": 321, "limit_cycles_per_lane_step": 214}})
     means = [{"passages": 128, "error": 1e-3, "estimate": 1e-3}, {"passages": 543, "error": 3e-4, "estimate": 4e-4}]
-    write("quadrature.json", {"cases": [{"k_r": 10, "z_0": 0.5, **dict.fromkeys(("quadrature", "grid", "lattice"), means)}] * 2,
-                              "purposes": {"scan": 30, "crossing": 50, "values": 20, "points": 2}})
+    write("quadrature.json", {"cases": [{"k_r": 10, "z_0": 0.5, **dict.fromkeys(("quadrature", "grid", "lattice"), means)}] * 2})
     commands = [{"kind": kind, "points": points, "commands": {"check": {"seconds": seconds, "MB": 41}, "archive": None,
                                                               "run, all points in the journal": {"seconds": 0.2, "MB": 9}, **(
         {"diff": {"seconds": 0.5, "MB": 98}} if points == 1000 else {})}}
@@ -161,23 +154,11 @@ def check_performance():
     write("build.json", {"build": 81, "test": 222})
     page = written("performance", "generated/performance.md", folder, "-o", folder)
     for words in ("| Odeint | 1.4 | 7 |", "| SciPy | 10 | 50 |", "321 of all kinds", "takes 0.456 ms per bristle", "9.8 times as long",
-                  "| 64 | 2 | 0.123 |", "| rod | 123 | 98 | 0.76 |", "over the fast engine, at equal error | at least 10 | 7.0 |",
-                  "| `make build` in a fresh clone, CPU, s | at most 85 | 81 |", "fresh clone, CPU, s | at most 420 | 303 |",
-                  "| target | a design | 1 | 7 | 15 |",
-                  "300 cycles with all lanes full", "The kernel of rods takes 321 cycles, 1.50 times its limit of 214", "| 10 | 0.5 | 128 | 1.0e-03 | 543 | 3.0e-04 |", "50 passages",
+                  "`make build` takes 81 s of processor time, and `make test` 222 s more",
                   "| check | 0.12 | 0.34 | 0.56 | 0.78 | 41 |", "| diff | 0.50 | \u2013 | 0.50 | \u2013 | \u2013 |",
                   f"| one | 1 | {figure['passages']} | {figure['cpu_seconds']:.1f} | {figure['seconds']:.1f} | {figure['MB']} |"):
         assert words in page, (words, page)
-    assert "in the journal. All meet it." in " ".join(page.split()), page
     assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
-    commands[0]["commands"]["check"]["seconds"] = 9.87
-    write("commands.json", {"seconds": 1, "results": commands})
-    only = written("performance", "generated/performance.md", folder, "-o", folder, "--only", "commands")
-    assert "It is missed by `check` (9.9 s at 1e3 points)" in " ".join(only.split()), only
-    lines = (folder / "generated/performance.md").read_text().splitlines()
-    assert max(len(line) for line in lines if not line.startswith("|")) <= 100, lines
-    end = "<!-- end of commands -->"
-    assert only.partition(end)[2] == page.partition(end)[2] and "| check | 9.87 | 0.34 |" in only, only
 
 
 # Loads deviate by 10 %, and two deviations of each trial keep the limit of 9 %, which 256 do not.
