@@ -71,7 +71,6 @@ class PointSolver {
     out.start = brush_.start();
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
-    out.passages_for = passages_for_;
     if (std::isfinite(out.z_0)) {
       const bool of_mean = setup_.orientation.sampling != Sampling::lattice;
       if (record_.bristles && of_mean) record_bristles(out.z_0);
@@ -191,7 +190,6 @@ class PointSolver {
       return std::ranges::max_element(means_, {}, [](auto& one) { return one.second.known().mean[R_N]; });
     };
     try {
-      purpose_ = purpose::SCAN;
       for (int i = 0; i < kHalvings; ++i) {
         const auto above = 1.25 * largest()->second.known().mean[R_N];
         for (auto& [z_0, mean] : means_) mean.rough_load(above);
@@ -203,7 +201,6 @@ class PointSolver {
         for (const double z_0 : between)
           if (mean_at(z_0).rough_load(above).incomplete > 0) return out;
       }
-      purpose_ = purpose::VALUES;
       const double z_0 = largest()->first;
       const Ensemble& e = mean_at(z_0).with_integrator_error();
       if (e.incomplete > 0) return out;
@@ -230,17 +227,13 @@ class PointSolver {
   // values.
   Load load_at(double z_0, Accuracy accuracy) {
     BrushMean& mean = mean_at(z_0);
-    purpose_ = accuracy == Accuracy::rough ? purpose::SCAN : purpose::CROSSING;
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool rough = accuracy == Accuracy::rough;
     if (e->incomplete == 0 && !rough) e = &mean.precise_load(loading_.R_n);
     const double near =
         std::max(2 * setup_.orientation.rtol * loading_.R_n, e->converged ? 0 : e->error[R_N]);
-    if (e->incomplete == 0 && !rough && distance() <= near) {
-      purpose_ = purpose::VALUES;
-      e = &mean.full();
-    }
+    if (e->incomplete == 0 && !rough && distance() <= near) e = &mean.full();
     if (e->incomplete == 0 && accuracy == Accuracy::reported) e = &mean.with_integrator_error();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N], e->converged};
     incomplete_theta_0_ = e->incomplete_theta_0;
@@ -256,7 +249,6 @@ class PointSolver {
     if (limited_ && evaluations_ > setup_.max_evaluations_per_point) throw WorkLimitReached{};
     std::vector<Passage> passages = run_(tasks);
     for (const Passage& one : passages) evaluations_ += one.evaluations;
-    passages_for_[purpose_] += long(passages.size());
     return passages;
   }
 
@@ -280,9 +272,7 @@ class PointSolver {
   }
 
   PointResult at_gap(double z_0, LoadStatus status) {
-    BrushMean& mean = mean_at(z_0);
-    purpose_ = purpose::VALUES;
-    const Ensemble& ensemble = mean.with_integrator_error();
+    const Ensemble& ensemble = mean_at(z_0).with_integrator_error();
     integrator_error_ = ensemble.integrator_error;
     PointResult out = values_of(setup_.parameters, ensemble);
     if (status == LoadStatus::load_jump && out.status != PointStatus::incomplete)
@@ -340,8 +330,6 @@ class PointSolver {
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
   bool limited_ = true;  // whether max_evaluations_per_point applies
-  Purpose purpose_ = purpose::VALUES;
-  std::array<long, purpose::PURPOSES> passages_for_{};
   std::map<double, BrushMean> means_;  // by gap
   long lattice_passages_ = 0;
   ObservableArray integrator_error_{};  // part of the errors of the values that the integrator causes

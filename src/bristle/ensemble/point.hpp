@@ -42,18 +42,6 @@ inline Words words<PointStatus>() {
 // Largest energy residual of a trustworthy point, if its model conserves energy (conserves_energy()).
 constexpr double kMaxEnergyResidual = 1e-2;
 
-// Purpose for which passages are computed: to decide on which side of the target R_n lies, to locate the
-// crossing, or for the values of the point.
-namespace purpose {
-enum Purpose {
-  SCAN,
-  CROSSING,
-  VALUES,
-  PURPOSES
-};
-}  // namespace purpose
-using purpose::Purpose;
-
 // Result of one sweep point. Values are NaN where the status says that there are none. Errors include the
 // quadrature over theta_0, the integrator and, after a load search, the deviation of the load from its
 // target.
@@ -73,8 +61,6 @@ struct PointResult {
   Start start = Start::undetermined;
   double incomplete_theta_0 = 0;  // rad; NaN if complete
   long passages = 0;              // number of passages computed for this point
-  // Passages of the means, by purpose; the other passages belong to the lattice.
-  std::array<long, purpose::PURPOSES> passages_for{};
   Parameters parameters{};
   SiScales si{};
 };
