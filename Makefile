@@ -86,13 +86,9 @@ CHECKED_STUDIES := load liftoff bouncing hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
-# The matrix, of which the next target draws the page.
-.PHONY: assumptions-matrix
-assumptions-matrix: build
+assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
 	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about half an hour on two cores ..."
 	$(BUILD)/bristle assumptions
-
-assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
 	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json
 	@cp results/assumptions.json reference/
 
@@ -174,12 +170,19 @@ accuracy: build ## errors of the methods, measured: docs/generated/accuracy.md
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
 	@$$($(PLOT_PYTHON)) -m bristle.pages.accuracy $(BUILD)/bench/accuracy.json
 
-.PHONY: archive-check
+.PHONY: archive-check archive-matrix
+MISSING = $(strip $(foreach name,$(FIGURES) $(STUDIES),$(if $(wildcard results/$(name)$(SUFFIX).h5),,$(name))))
 archive-check: build
 	@$(BUILD)/bristle archive --check --tier $(TIER)
+	@test -z "$(MISSING)" || echo "To be computed first, at most $(if $(SUFFIX),two minutes,half an hour) of processor time: $(MISSING)." \
+	  "Ctrl-C keeps what is computed, and the same command continues."
+
+# The recorded matrix, which takes half an hour to compute; the archive refuses it if an experiment has changed since.
+archive-matrix: build
+	@mkdir -p results && cp -n reference/assumptions.json results/
 
 # What an archive refuses is refused before anything is computed or drawn.
-archive: archive-check figures $(STUDIES) report $(if $(SUFFIX),,assumptions-matrix) ## one citable file of all results: dist/bristle-<version>.tar
+archive: archive-check figures $(STUDIES) report $(if $(SUFFIX),,archive-matrix) ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive --tier $(TIER) --figures figures$(SUFFIX) --report report$(SUFFIX)/index.html
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.

@@ -6,7 +6,15 @@ source=$1
 . "$(dirname "$0")/shell.sh"
 
 git clone -q "$source" "$folder/clone" && cd "$folder/clone" || failed "no clone"
+# What is to be computed is said first. Ctrl-C keeps what is computed, and the same command computes the rest.
+make -s build >/dev/null || failed "no build"
+timeout -s INT 5 make archive TIER=smoke >interrupted.log 2>&1 && failed "not interrupted: $(cat interrupted.log)"
+grep -q "To be computed first, at most two minutes of processor time: fig2 .*fig4.* tuning" interrupted.log || failed "$(cat interrupted.log)"
+finished=$(ls results/*-smoke.h5 | wc -l)
+[ "$finished" -gt 0 ] || failed "nothing was kept"
+touch kept
 expect 0 "a draft, not to be cited: the results are of the smoke tier" make archive TIER=smoke
+[ "$(find results -name '*-smoke.h5' ! -newer kept | wc -l)" = "$finished" ] || failed "finished results were computed again"
 archive=$(ls dist/bristle-*-smoke.tar)
 expect 0 "2 of 2 points computed again are the same, bit for bit" make verify ARCHIVE="$archive" RERUN=2
 tar xOf "$archive" --wildcards '*/data/CITATION.cff' | grep -q "commit: \"$(git rev-parse HEAD)\"" || failed "the commit is not cited"
