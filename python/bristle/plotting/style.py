@@ -147,6 +147,12 @@ def log_ticks(low, high, width=np.inf):
     if places.size < 2 and high > low:
         numbers = value_ticks(2).tick_values(10 ** low, 10 ** high)
         places = np.log10(numbers[(numbers >= 10 ** low) & (numbers <= 10 ** high)])
+        apart = 4.5 * LETTER_INCHES / width * (high - low)  # of texts such as 7.5 on a panel of few inches
+        kept = []
+        for place in places:
+            if not kept or place - kept[-1] > apart:
+                kept.append(place)
+        places = np.array(kept)
     if places.size < 1:
         places = np.array([low])
     return places, [f"{float(f'{10 ** place:.6g}'):g}" for place in places]
