@@ -1,7 +1,8 @@
 #include "bristle/model/elementary.hpp"
 
-// SLEEF's names for the C library's functions: SLEEF has no package for WebAssembly. Their last digits differ,
-// so that numbers of the page agree with those of the program within their errors, and not in every bit.
+// SLEEF's names for the C library's functions: SLEEF has no package for WebAssembly. Their last digits
+// differ, so that numbers of the page agree with those of the program within their errors, and not in every
+// bit.
 extern "C" {
 double Sleef_cinz_sind1_u35purec(double x) { return std::sin(x); }
 double Sleef_cinz_cosd1_u35purec(double x) { return std::cos(x); }

@@ -329,7 +329,7 @@ class PointSolver {
   Brush brush_{setup_};
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
-  bool limited_ = true;  // whether max_evaluations_per_point applies
+  bool limited_ = true;                // whether max_evaluations_per_point applies
   std::map<double, BrushMean> means_;  // by gap
   long lattice_passages_ = 0;
   ObservableArray integrator_error_{};  // part of the errors of the values that the integrator causes
