@@ -171,7 +171,8 @@ class Gatherer {
     return facts;
   }
 
-  // Adds a plot of a result, whose payload digest it has in its metadata: a time of writing says nothing.
+  // Adds the plot `name` of the file `result`, if the plot's metadata has this payload digest of the result.
+  // Times of files are not compared, because a copy changes them. remedy: the command that draws the plot
   void add_figure(const std::string& name, const std::string& result, const std::string& digest,
                   const std::string& remedy, Files& payload) const {
     const std::string path = (fs::path(options_.figures) / name).string();
